@@ -1,0 +1,1 @@
+"""QGIS Processing algorithms: thin shells that read, call the core, and write."""

@@ -1,0 +1,55 @@
+"""Arithmetic on compass angles.
+
+All angles are degrees, clockwise from north. *True* angles count from the meridian, *grid* angles from the
+raster's columns; they differ by the grid convergence.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def wrap_360(angle_deg):
+    """Wrap angles to [0, 360) [degrees]."""
+    wrapped = np.mod(angle_deg, 360.0)
+    # np.mod(-1e-20, 360) rounds to 360.0 itself.
+    return np.where(wrapped >= 360.0, 0.0, wrapped)[()]
+
+
+def wrap_180(angle_deg):
+    """Wrap angles to [-180, 180) [degrees]."""
+    return wrap_360(np.add(angle_deg, 180.0)) - 180.0
+
+
+def difference(angle_deg, reference_deg):
+    """Signed turn from `reference_deg` to `angle_deg`, clockwise positive, in [-180, 180) [degrees]."""
+    return wrap_180(np.subtract(angle_deg, reference_deg))
+
+
+def in_wedge(azimuth_deg, centre_deg, width_deg):
+    """Tell which azimuths lie within `width_deg` around `centre_deg`, edges included, across north too."""
+    return np.abs(difference(azimuth_deg, centre_deg)) <= np.divide(width_deg, 2.0)
+
+
+def true_to_grid(azimuth_deg, convergence_deg):
+    """Turn true into grid azimuths [degrees].
+
+    Parameters
+    ----------
+    azimuth_deg : float or array
+        Clockwise from true north [degrees].
+    convergence_deg : float
+        Bearing of grid north seen from true north, clockwise positive [degrees] (Gauss-Bomford sense, as PROJ
+        and Esri report it).
+
+    Notes
+    -----
+    Equation 9 of the paper *adds* its gamma here: its gamma is the grid bearing of true north, the negative of
+    the standard convergence.
+    """
+    return wrap_360(np.subtract(azimuth_deg, convergence_deg))
+
+
+def grid_to_true(azimuth_deg, convergence_deg):
+    """Turn grid into true azimuths [degrees]; the inverse of `true_to_grid`."""
+    return wrap_360(np.add(azimuth_deg, convergence_deg))

@@ -1,0 +1,33 @@
+"""Earth curvature and atmospheric refraction: one formula, one source."""
+
+from __future__ import annotations
+
+import numpy as np
+
+EARTH_RADIUS_M = 6_371_000.0
+REFRACTION_COEFFICIENT = 0.13
+
+
+def apparent_drop_m(distance_m, refraction_coefficient=REFRACTION_COEFFICIENT, radius_m=EARTH_RADIUS_M):
+    """How far a point at `distance_m` sinks below the observer's horizontal plane.
+
+    Parameters
+    ----------
+    distance_m : float or array
+        Ground distance [m].
+    refraction_coefficient : float
+        Ratio k of the earth's radius to the ray's radius of curvature; 0.13 after Gauss. GDAL's curvature
+        coefficient is 1 - k.
+    radius_m : float
+        Mean radius of the earth [m].
+
+    Returns
+    -------
+    float or array
+        (1 - k) d^2 / (2 R) [m].
+
+    References
+    ----------
+    .. [1] Brunner, F. K. (ed.), Geodetic Refraction, Springer 1984, doi:10.1007/978-3-642-45583-4.
+    """
+    return (1.0 - refraction_coefficient) * np.square(distance_m) / (2.0 * radius_m)

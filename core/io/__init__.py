@@ -1,0 +1,1 @@
+"""The only place of the core that touches files: photographs, rasters, coordinate systems."""

@@ -1,0 +1,36 @@
+"""Optional packages: imported when first needed, and missed in a sentence that says what to do."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+
+from .errors import MissingPackageError
+
+PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exifread": "exifread", "PIL": "Pillow"}
+
+
+def available(module):
+    """Import an optional module and return it, or None where it is missing or broken."""
+    try:
+        return importlib.import_module(module)
+    except Exception:  # a binary built against another NumPy raises much more than ImportError
+        return None
+
+
+def require(module, feature):
+    """Import an optional module or raise `MissingPackageError` naming the feature and the install command."""
+    found = available(module)
+    if found is None:
+        raise MissingPackageError(f"{feature} needs the Python package {module}. {install_hint(module)}")
+    return found
+
+
+def install_hint(module):
+    """Say in one sentence how to install a package on this platform."""
+    package = PIP_NAMES.get(module, module)
+    if sys.platform == "win32":
+        return f"In the OSGeo4W Shell run: python -m pip install --user {package}"
+    if sys.platform == "darwin":
+        return f"Run: /Applications/QGIS.app/Contents/MacOS/bin/python3 -m pip install --user {package}"
+    return f"Run: python3 -m pip install --user {package} (or install your distribution's package)"

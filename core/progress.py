@@ -1,0 +1,54 @@
+"""Progress and cancelling, without knowing who listens."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from .errors import Cancelled
+
+
+class Progress(Protocol):
+    """What a long computation talks to."""
+
+    def report(self, fraction: float) -> None:
+        """Say how much is done, 0 to 1."""
+
+    def cancelled(self) -> bool:
+        """Tell whether the user wants to stop."""
+
+
+class _Silent:
+    def report(self, fraction):
+        pass
+
+    def cancelled(self):
+        return False
+
+
+SILENT: Progress = _Silent()
+
+
+@dataclass(frozen=True)
+class _Subtask:
+    parent: Progress
+    start: float
+    stop: float
+
+    def report(self, fraction):
+        self.parent.report(self.start + (self.stop - self.start) * fraction)
+
+    def cancelled(self):
+        return self.parent.cancelled()
+
+
+def subtask(progress: Progress, start: float, stop: float) -> Progress:
+    """Give a part of the work its share of the bar, from `start` to `stop` (0 to 1)."""
+    return _Subtask(progress, start, stop)
+
+
+def checkpoint(progress: Progress, fraction: float) -> None:
+    """Report `fraction` and raise `Cancelled` when the user has asked to stop."""
+    if progress.cancelled():
+        raise Cancelled
+    progress.report(fraction)
