@@ -270,3 +270,50 @@ class Orientation:
     def best(self):
         """The first candidate, or None."""
         return self.candidates[0] if self.candidates else None
+
+
+@dataclass(frozen=True, eq=False)
+class OrientedPhoto:
+    """Everything a run learned about one photograph: what shells write to attributes and what the report draws.
+
+    Attributes
+    ----------
+    path : str
+    orientation : Orientation
+        With status 'failed' and the reason where an input fault stopped it; then most of the rest is None.
+    metadata : PhotoMetadata or None
+    preview : uint8 (h, w, 3) array or None
+        Upright reduced picture for figures.
+    camera : Camera or None
+        Of the full upright picture: the fitted one where a heading was found, else the prior.
+    skyline : Skyline or None
+        As extracted, on a picture of `skyline.width_px` x `skyline.height_px`.
+    evidence : SkylineEvidence or None
+        Robust method only.
+    horizon : HorizonProfile or None
+    longitude_deg, latitude_deg : float or None
+        Position used, WGS 84 [degrees].
+    eye_elevation_m : float or None
+        Absolute elevation of the eye used [m].
+    ground_elevation_m : float or None
+        Of the DEM under the observer [m].
+    convergence_deg : float or None
+        Bearing of the DEM's grid north from true north, clockwise [degrees].
+    compass_true_deg : float or None
+        Recorded heading turned to true north [degrees].
+    """
+
+    path: str
+    orientation: Orientation
+    metadata: PhotoMetadata | None = None
+    preview: np.ndarray | None = None
+    camera: Camera | None = None
+    skyline: Skyline | None = None
+    evidence: SkylineEvidence | None = None
+    horizon: HorizonProfile | None = None
+    longitude_deg: float | None = None
+    latitude_deg: float | None = None
+    eye_elevation_m: float | None = None
+    ground_elevation_m: float | None = None
+    convergence_deg: float | None = None
+    compass_true_deg: float | None = None
