@@ -43,6 +43,8 @@ class PhotoMetadata:
         Camera's local time.
     camera : str or None
         Maker and model.
+    notes : tuple of str
+        Remarks worth telling the user (coordinates ignored and why, a focal length that was derived, ...).
     """
 
     path: str
@@ -60,6 +62,7 @@ class PhotoMetadata:
     position_error_m: float | None = None
     taken_at: datetime | None = None
     camera: str | None = None
+    notes: tuple = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,11 +175,14 @@ class HeadingPrior:
         Spread of the core [degrees].
     outlier_share : float
         Probability that it is worthless (uniform over the circle).
+    faults : tuple of (float, float)
+        Known ways to be wrong: a turn [degrees] to add to `heading_deg`, and its probability.
     """
 
     heading_deg: float
     sigma_deg: float
     outlier_share: float = 0.1
+    faults: tuple = ()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,119 @@
+"""Coordinate reference systems: points to and from WGS 84, local ground frames, grid convergence.
+
+A CRS is given as WKT or anything else that OSR reads ("EPSG:3413"). Coordinates are always in the traditional
+order: longitude or easting first.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from osgeo import osr
+
+from ..errors import TerrainError
+from .gdal_quiet import quiet_gdal
+
+WGS84 = "OGC:CRS84"
+CYLINDRICAL = ("Mercator", "Equirectangular", "Cylindrical", "Miller", "Pseudo-Mercator", "Pseudo_Mercator")
+"""Projection methods in whose plane the world repeats itself along x."""
+
+
+def spatial_reference(crs):
+    """Build an OSR spatial reference with the traditional axis order.
+
+    Raises
+    ------
+    TerrainError
+        PROJ does not understand `crs`.
+    """
+    reference = osr.SpatialReference()
+    with quiet_gdal():
+        try:
+            failed = reference.SetFromUserInput(crs)
+        except RuntimeError:
+            failed = True
+    if failed:
+        raise TerrainError(f"The coordinate reference system {crs[:80]!r} is not understood. Assign a valid one.")
+    reference.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return reference
+
+
+def local_plane(longitude_deg, latitude_deg):
+    """CRS of true east and north on the ellipsoid around a place: azimuthal equidistant on WGS 84, metres."""
+    return f"+proj=aeqd +lat_0={latitude_deg!r} +lon_0={longitude_deg!r} +datum=WGS84 +units=m +no_defs"
+
+
+class Transformer:
+    """Transformation of arrays of points from one CRS to another.
+
+    Parameters
+    ----------
+    source, target : str
+    area_deg : (west, south, east, north) or None
+        WGS 84 area of interest [degrees]: lets PROJ settle on one datum shift for all points.
+    """
+
+    def __init__(self, source, target, area_deg=None):
+        options = osr.CoordinateTransformationOptions()
+        if area_deg is not None:
+            options.SetAreaOfInterest(*area_deg)
+        with quiet_gdal():
+            try:
+                self._transformation = osr.CoordinateTransformation(
+                    spatial_reference(source), spatial_reference(target), options
+                )
+            except RuntimeError:
+                self._transformation = None
+        if self._transformation is None or not self._transformation.this:
+            raise TerrainError(f"No transformation is known from {source[:60]!r} to {target[:60]!r}.")
+
+    def __call__(self, x, y):
+        """Map coordinates; what lies outside the target's domain becomes NaN. Shapes broadcast together."""
+        x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+        with quiet_gdal():
+            points = self._transformation.TransformPoints(np.column_stack([x.ravel(), y.ravel()]).tolist())
+        points = np.array(points, float)[:, :2].T.reshape((2, *x.shape))
+        points[:, ~np.isfinite(points).all(axis=0)] = np.nan
+        return points[0], points[1]
+
+
+def from_wgs84(crs, longitude_deg, latitude_deg):
+    """Map WGS 84 longitude and latitude [degrees] to (x, y) of a CRS; NaN where it is not defined."""
+    x, y = Transformer(WGS84, crs)(longitude_deg, latitude_deg)
+    return x[()], y[()]
+
+
+def to_wgs84(crs, x, y):
+    """Map (x, y) of a CRS to WGS 84 (longitude, latitude) [degrees]; NaN where it is not defined."""
+    longitude_deg, latitude_deg = Transformer(crs, WGS84)(x, y)
+    return longitude_deg[()], latitude_deg[()]
+
+
+def grid_convergence_deg(crs, longitude_deg, latitude_deg):
+    """Bearing of grid north (+y of the CRS) seen from true north at a place, clockwise [degrees], in [-180, 180).
+
+    The Gauss-Bomford sense of PROJ and Esri: true azimuth = grid azimuth + convergence. Equation 9 of the paper
+    adds the opposite number. -104.5 for EPSG:3413 and -2.19 for UTM 6N at 149.5 W, 61.1 N.
+    """
+    step_m = 10.0
+    ahead = Transformer(local_plane(longitude_deg, latitude_deg), crs)
+    x, y = ahead([step_m, -step_m, 0, 0], [0, 0, step_m, -step_m])
+    jacobian = np.array([[x[0] - x[1], x[2] - x[3]], [y[0] - y[1], y[2] - y[3]]])
+    east, north = np.linalg.solve(jacobian, [0.0, 1.0])
+    return float(np.degrees(np.arctan2(east, north)))
+
+
+def x_period(crs):
+    """Distance along x after which the CRS repeats the world, in its own units; None where it does not.
+
+    360 degrees for longitudes; the equator's image for Mercator and the like. Used to follow a frame across the
+    antimeridian.
+    """
+    reference = spatial_reference(crs)
+    if reference.IsGeographic():
+        return 2 * np.pi / reference.GetAngularUnits()
+    method = reference.GetAttrValue("PROJECTION") or ""
+    if "Transverse" in method or "Oblique" in method or not any(name in method for name in CYLINDRICAL):
+        return None
+    centre_deg = reference.GetNormProjParm("central_meridian", 0.0)
+    x, _ = from_wgs84(crs, np.array([centre_deg, centre_deg + 1.0]), np.zeros(2))
+    return None if not np.isfinite(x).all() else abs(x[1] - x[0]) * 360

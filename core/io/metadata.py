@@ -1,0 +1,162 @@
+"""What EXIF tags mean: position, heading, focal length and time as the rest of the program wants them.
+
+References
+----------
+.. [1] CIPA DC-008 / JEITA CP-3451, Exif 2.32 and 3.0.
+"""
+
+from __future__ import annotations
+
+from datetime import datetime
+from math import hypot, isfinite
+
+from ..camera import DIAGONAL_35MM
+
+MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
+"""FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool reads them."""
+
+ALTITUDE_REFERENCES = {0: "sea level", 1: "below sea level", 2: "ellipsoid", 3: "ellipsoid"}
+SENSOR_DIAGONALS_MM = (2.0, 80.0)
+"""From the smallest phone to medium format; anything else is a wrong FocalPlaneXResolution."""
+
+
+def interpret(tags, width_px, height_px):
+    """Turn tags into fields of `PhotoMetadata`.
+
+    Parameters
+    ----------
+    tags : dict
+        As `read_tags` gives them.
+    width_px, height_px : int
+        Size of the stored picture, before any rotation [pixels].
+
+    Returns
+    -------
+    dict
+        Keyword arguments of `PhotoMetadata`, without path and size.
+    """
+    notes = []
+    latitude_deg, longitude_deg = _position(tags, notes)
+    altitude_m, altitude_reference = _altitude(tags)
+    heading_deg, heading_reference = _heading(tags)
+    orientation = _number(tags, "Orientation")
+    return {
+        "latitude_deg": latitude_deg,
+        "longitude_deg": longitude_deg,
+        "altitude_m": altitude_m,
+        "altitude_reference": altitude_reference,
+        "focal_length_35mm": _focal_length_35mm(tags, width_px, height_px, notes),
+        "focal_length_mm": _positive(tags, "FocalLength"),
+        "orientation": int(orientation) if orientation in range(1, 9) else 1,
+        "compass_heading_deg": heading_deg,
+        "compass_reference": heading_reference,
+        "position_error_m": _positive(tags, "GPSHPositioningError"),
+        "taken_at": _time(tags),
+        "camera": _camera(tags),
+        "notes": tuple(notes),
+    }
+
+
+def _number(tags, name):
+    """Give a tag's first value where it is finite, else None."""
+    value = tags.get(name, (float("nan"),))[0]
+    return value if isfinite(value) else None
+
+
+def _positive(tags, name):
+    value = _number(tags, name)
+    return value if value is not None and value > 0 else None
+
+
+def _position(tags, notes):
+    if "GPSLatitude" not in tags or "GPSLongitude" not in tags:
+        return None, None
+    latitude_deg = _degrees(tags["GPSLatitude"])
+    longitude_deg = _degrees(tags["GPSLongitude"])
+    if not (isfinite(latitude_deg) and isfinite(longitude_deg)):
+        notes.append("The recorded coordinates are not numbers (no GPS fix) and were ignored.")
+        return None, None
+    if abs(latitude_deg) > 90 or abs(longitude_deg) > 180:
+        notes.append("The recorded coordinates lie outside the globe and were ignored.")
+        return None, None
+    if latitude_deg == 0 and longitude_deg == 0:
+        notes.append("The recorded coordinates are 0, 0 (no GPS fix) and were ignored.")
+        return None, None
+    south, west = _reference(tags, "GPSLatitudeRef"), _reference(tags, "GPSLongitudeRef")
+    if south not in ("N", "S") or west not in ("E", "W"):
+        notes.append("The hemisphere is not recorded; north and east were assumed where it is missing.")
+    return (-latitude_deg if south == "S" else latitude_deg), (-longitude_deg if west == "W" else longitude_deg)
+
+
+def _reference(tags, name):
+    return tags.get(name, "")[:1].upper()
+
+
+def _degrees(parts):
+    """Degrees, minutes and seconds (the last ones may be missing) to decimal degrees."""
+    return sum(part / 60**power for power, part in enumerate(parts[:3]))
+
+
+def _altitude(tags):
+    altitude_m = _number(tags, "GPSAltitude")
+    if altitude_m is None or abs(altitude_m) > 100_000:
+        return None, None
+    code = _number(tags, "GPSAltitudeRef") or 0  # the standard's default
+    if code in (1, 3):
+        altitude_m = -abs(altitude_m)
+    return altitude_m, ALTITUDE_REFERENCES.get(code)
+
+
+def _heading(tags):
+    heading_deg = _number(tags, "GPSImgDirection")
+    if heading_deg is None or not 0 <= heading_deg <= 360:
+        return None, None
+    reference = _reference(tags, "GPSImgDirectionRef")
+    return heading_deg % 360, reference if reference in ("T", "M") else None
+
+
+def _focal_length_35mm(tags, width_px, height_px, notes):
+    recorded = _positive(tags, "FocalLengthIn35mmFilm")
+    if recorded is not None:
+        return recorded
+    derived = _from_focal_plane(tags, width_px, height_px)
+    if derived is not None:
+        notes.append("The 35 mm equivalent was derived from the focal length and the focal plane resolution.")
+    return derived
+
+
+def _from_focal_plane(tags, width_px, height_px):
+    """35 mm equivalent by the diagonal rule from the sensor's size, where the picture shows the whole sensor."""
+    focal_mm, unit_mm = (
+        _positive(tags, "FocalLength"),
+        MILLIMETRES_PER_UNIT.get(_number(tags, "FocalPlaneResolutionUnit") or 2),
+    )
+    x_resolution, y_resolution = _positive(tags, "FocalPlaneXResolution"), _positive(tags, "FocalPlaneYResolution")
+    if None in (focal_mm, unit_mm, x_resolution, y_resolution):
+        return None
+    # The resolution belongs to the picture as the camera stored it; a resampled copy still shows the same field.
+    stored_width = _positive(tags, "PixelXDimension") or width_px
+    stored_height = _positive(tags, "PixelYDimension") or height_px
+    if abs(stored_width * height_px - stored_height * width_px) > 0.01 * stored_width * height_px:
+        return None  # cropped since
+    sensor_mm = hypot(stored_width / x_resolution, stored_height / y_resolution) * unit_mm
+    if not SENSOR_DIAGONALS_MM[0] <= sensor_mm <= SENSOR_DIAGONALS_MM[1]:
+        return None
+    zoom = _positive(tags, "DigitalZoomRatio") or 1.0
+    return focal_mm * max(zoom, 1.0) * DIAGONAL_35MM / sensor_mm
+
+
+def _time(tags):
+    for name in ("DateTimeOriginal", "DateTime"):
+        try:
+            return datetime.strptime(tags.get(name, "")[:19], "%Y:%m:%d %H:%M:%S")
+        except ValueError:
+            continue
+    return None
+
+
+def _camera(tags):
+    make, model = tags.get("Make", ""), tags.get("Model", "")
+    if model.lower().startswith(make.lower()):
+        return model or None
+    return f"{make} {model}".strip()

@@ -1,0 +1,127 @@
+"""Photographs: list them, read what they say about themselves, read their upright pixels."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from ..errors import SkylineViewshedError, UnreadablePhotoError
+from ..model import Photo, PhotoMetadata
+from .exif import read_tags
+from .formats import format_of, is_photo_name
+from .metadata import interpret
+from .pixels import decode, stored_size
+
+
+def list_photos(folder, recursive=False):
+    """List the JPEG and HEIC files of a folder by their names, sorted.
+
+    Raises
+    ------
+    SkylineViewshedError
+        The folder is missing or closed to us.
+    """
+    found = []
+    try:
+        for entry in os.scandir(folder):
+            if entry.is_file() and is_photo_name(entry.name):
+                found.append(entry.path)
+            elif recursive and entry.is_dir(follow_symlinks=False) and not entry.name.startswith("."):
+                found += list_photos(entry.path, recursive=True)
+    except OSError as error:
+        raise SkylineViewshedError(f"The folder {folder} cannot be listed: {error.strerror}. Check the path.") from None
+    return sorted(found)
+
+
+def read_metadata(path):
+    """Read what a photograph's file says about itself; no pixel is decoded.
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
+    path = os.fspath(path)
+    kind = format_of(path)
+    return _metadata(path, kind, stored_size(path, kind))
+
+
+def _metadata(path, kind, size):
+    fields = interpret(read_tags(path, kind), *size)
+    if kind != "heif" and fields["orientation"] >= 5:
+        size = size[::-1]
+    return PhotoMetadata(path, *size, **fields)
+
+
+def read_photo(path, max_side_px=None):
+    """Read a photograph's metadata and its upright pixels.
+
+    Parameters
+    ----------
+    path : str
+    max_side_px : int or None
+        Reduce a larger picture by area averaging so that its longer side has this many pixels.
+
+    Returns
+    -------
+    Photo
+        Pixels are upright exactly once: JPEG (and PNG, TIFF, WebP) are turned by their tag, HEIC is turned by its
+        decoder and its tag is only a record. The sizes in the metadata remain those of the full upright picture.
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
+    path = os.fspath(path)
+    kind = format_of(path)
+    try:
+        pixels, size = decode(path, kind, max_side_px)
+    except MemoryError:
+        raise UnreadablePhotoError(path, "it is too large for this computer's memory. Reduce the picture.") from None
+    metadata = _metadata(path, kind, size)
+    if max_side_px is not None and max(size) > max_side_px:
+        pixels = _reduced(pixels, size, max_side_px)
+    if kind != "heif":
+        pixels = _upright(pixels, metadata.orientation)
+    return Photo(metadata, np.ascontiguousarray(pixels))
+
+
+def _upright(pixels, orientation):
+    """Turn and mirror stored pixels as EXIF Orientation 1 to 8 asks."""
+    if orientation >= 5:
+        pixels = pixels.swapaxes(0, 1)  # 5; the others follow by mirroring
+    if orientation in (2, 3, 6, 7):
+        pixels = pixels[:, ::-1]
+    if orientation in (3, 4, 7, 8):
+        pixels = pixels[::-1]
+    return pixels
+
+
+def _reduced(pixels, size, max_side_px):
+    """Area-average to `max_side_px`; `size` is the full picture's, of which `pixels` may be a reduced decoding."""
+    factor = max_side_px / max(size)
+    width, height = (max(round(side * factor), 1) for side in size)
+    # A decoder that reduces by s gives ceil(side / s) pixels: the last one may reach beyond the picture.
+    shrink = max(round(max(size) / max(pixels.shape[:2])), 1)
+    rows = area_weights(pixels.shape[0], size[1] / shrink, height)
+    columns = area_weights(pixels.shape[1], size[0] / shrink, width)
+    result = np.empty((height, width, 3), np.uint8)
+    for channel in range(3):
+        plane = columns @ (rows @ pixels[:, :, channel].astype(np.float32)).T
+        result[:, :, channel] = np.clip(np.rint(plane.T), 0, 255)
+    return result
+
+
+def area_weights(count, extent, bins):
+    """Sparse (bins, count) matrix that averages `count` pixels over equal bins of the first `extent` pixels."""
+    from scipy.sparse import csr_matrix
+
+    edges = np.linspace(0, min(extent, count), bins + 1)
+    first = np.minimum(np.floor(edges[:-1]).astype(int), count - 1)
+    span = int(np.ceil(edges[1] - edges[0])) + 1
+    index = first[:, None] + np.arange(span)
+    overlap = np.minimum(index + 1, edges[1:, None]) - np.maximum(index, edges[:-1, None])
+    weight = np.clip(overlap, 0, None) * (index < count)
+    weight /= weight.sum(axis=1, keepdims=True)
+    row = np.repeat(np.arange(bins), span)
+    return csr_matrix((weight.ravel().astype(np.float32), (row, np.minimum(index, count - 1).ravel())), (bins, count))

@@ -1,0 +1,142 @@
+"""Decode a picture's pixels as they are stored, with whichever decoder is installed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..errors import UnreadablePhotoError
+from ..optional import available, install_hint
+from .formats import check_size
+from .gdal_quiet import open_quietly, quiet_gdal
+
+GDAL_DRIVERS = {"jpeg": "JPEG", "heif": "HEIF", "png": "PNG", "tiff": "GTiff", "webp": "WEBP"}
+DAMAGED = "it is damaged or incomplete. Copy it again from its source."
+
+
+def stored_size(path, kind):
+    """Width and height of the decoded picture by its header [pixels].
+
+    HEIC decoders apply the container's rotation, so for them this is the upright size; JPEG's is as stored.
+    """
+    for sizer in (_heif_size if kind == "heif" else _pillow_size, _gdal_size):
+        size = sizer(path, kind)
+        if size is not None:
+            check_size(path, *size)
+            return size
+    raise _undecodable(path, kind)
+
+
+def decode(path, kind, max_side_px=None):
+    """Decode to uint8 (H, W, 3) RGB, without applying any EXIF orientation.
+
+    Parameters
+    ----------
+    path, kind : str
+    max_side_px : int or None
+        A hint that fewer pixels suffice: JPEG may come reduced by 2, 4 or 8, but never below twice this.
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
+    size = stored_size(path, kind)
+    for decoder in (_decode_heif if kind == "heif" else _decode_pillow, _decode_gdal):
+        pixels = decoder(path, kind, max_side_px)
+        if pixels is not None:
+            return pixels, size
+    raise _undecodable(path, kind)
+
+
+def _undecodable(path, kind):
+    heif_driver = available("osgeo.gdal") is not None and available("osgeo.gdal").GetDriverByName("HEIF")
+    if kind == "heif" and available("pillow_heif") is None and not heif_driver:
+        hint = install_hint("pillow_heif")
+        return UnreadablePhotoError(path, f"HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.")
+    return UnreadablePhotoError(path, DAMAGED)
+
+
+def _open_pillow(path, kind):
+    if kind == "jpeg":
+        # Opened by its class: Image.open has a process-wide pixel limit below that of today's phones.
+        return available("PIL.JpegImagePlugin").JpegImageFile(path)
+    return available("PIL.Image").open(path)
+
+
+def _pillow_size(path, kind):
+    if available("PIL.Image") is None:
+        return None
+    try:
+        with _open_pillow(path, kind) as picture:
+            return picture.size
+    except Exception:  # plugins meet damaged files with SyntaxError, struct.error, OSError, ...
+        return None
+
+
+def _decode_pillow(path, kind, max_side_px):
+    if available("PIL.Image") is None:
+        return None
+    try:
+        with _open_pillow(path, kind) as picture:
+            if picture.mode.startswith(("I", "F")):
+                return None  # deeper than 8 bit: GDAL keeps the values
+            if max_side_px is not None and kind == "jpeg":
+                shrink = max(picture.size) / (2 * max_side_px)
+                if shrink > 1:
+                    picture.draft(None, (int(picture.width / shrink), int(picture.height / shrink)))
+            return np.asarray(picture.convert("RGB"))
+    except Exception:
+        return None
+
+
+def _heif_size(path, kind):
+    heif = available("pillow_heif")
+    if heif is None:
+        return None
+    try:
+        return heif.open_heif(path).size
+    except Exception:
+        return None
+
+
+def _decode_heif(path, kind, max_side_px):
+    heif = available("pillow_heif")
+    if heif is None:
+        return None
+    try:
+        picture = heif.open_heif(path, convert_hdr_to_8bit=True)
+        pixels = np.asarray(picture)
+    except Exception:
+        return None
+    return _rgb(pixels)
+
+
+def _gdal_size(path, kind):
+    dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
+    return None if dataset is None else (dataset.RasterXSize, dataset.RasterYSize)
+
+
+def _decode_gdal(path, kind, max_side_px):
+    dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
+    if dataset is None:
+        return None
+    with quiet_gdal() as messages:
+        try:
+            bands = dataset.ReadAsArray()
+        except RuntimeError:
+            return None
+    if bands is None or messages:
+        return None
+    return _rgb(bands if bands.ndim == 2 else np.moveaxis(bands, 0, -1))
+
+
+def _rgb(pixels):
+    """Bring grey, grey + alpha, RGB or RGBA of 8 or 16 bit to uint8 RGB."""
+    if pixels.dtype == np.uint16:
+        pixels = (pixels // 257).astype(np.uint8)
+    if pixels.dtype != np.uint8:
+        return None
+    if pixels.ndim == 2:
+        pixels = pixels[:, :, None]
+    if pixels.shape[2] < 3:
+        return np.repeat(pixels[:, :, :1], 3, axis=2)
+    return np.ascontiguousarray(pixels[:, :, :3])

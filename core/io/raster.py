@@ -1,0 +1,258 @@
+"""Elevation models through GDAL: opened once, read in windows, never as a whole."""
+
+from __future__ import annotations
+
+import os
+from contextlib import contextmanager
+
+import numpy as np
+from osgeo import gdal
+
+from ..angles import wrap_180
+from ..errors import UnusableDemError
+from ..frame import tabulate_frame
+from ..terrain import Window
+from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
+from .gdal_quiet import open_quietly, quiet_gdal
+
+PLAUSIBLE_M = (-12_000.0, 30_000.0)
+"""Values beyond are fill values (-32768, -3.4e38, 1e20, ...), tagged or not: no place on Earth lies there."""
+
+COMMON_FILL = -9999.0
+"""Taken for nodata even without a tag; as a depth it exists in ocean trenches only."""
+
+METRES_PER_UNIT = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937,
+                   "ussurveyfoot": 1200 / 3937, "cm": 0.01, "dm": 0.1, "km": 1000.0}  # fmt: skip
+"""By the band's unit; all others are metres."""
+
+STRIP_BYTES = 16 * 2**20
+CACHE_BYTES = 64 * 2**20
+
+LOWLAND_M = 100.0
+"""Terrain of which 99 % lies above this has no sea, so that zeros along its edges are missing data."""
+
+
+def open_dem(path, band=1):
+    """Open an elevation model.
+
+    Parameters
+    ----------
+    path : str
+        Anything that GDAL reads as a raster with a CRS: GeoTIFF, COG, HGT, VRT, ...
+    band : int
+        Counted from 1.
+
+    Returns
+    -------
+    Dem
+
+    Raises
+    ------
+    UnusableDemError
+    """
+    path = os.fspath(path)
+    dataset = open_quietly(path)
+    if dataset is None:
+        if not os.path.exists(path):
+            raise UnusableDemError(f"The DEM {path} does not exist. Check the path.")
+        raise UnusableDemError(f"The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.")
+    if not 1 <= band <= dataset.RasterCount:
+        raise UnusableDemError(f"The DEM {path} has {dataset.RasterCount} band(s), and no band {band}.")
+    if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
+        raise UnusableDemError(f"Band {band} of {path} holds complex numbers, not elevations.")
+    dem = Dem(path, dataset, band, _crs_wkt(path, dataset), _geotransform(path, dataset))
+    dem._inspect()
+    return dem
+
+
+def _crs_wkt(path, dataset):
+    reference = dataset.GetSpatialRef()
+    if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
+        raise UnusableDemError(
+            f"The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs)."
+        )
+    return reference.ExportToWkt()
+
+
+def _geotransform(path, dataset):
+    transform = dataset.GetGeoTransform(can_return_null=True)
+    if transform is None or not np.isfinite(transform).all() or transform[1] == 0 or transform[5] == 0:
+        raise UnusableDemError(f"The DEM {path} is not georeferenced. Warp it to a CRS first (gdalwarp).")
+    shear = abs(transform[2]) * dataset.RasterYSize, abs(transform[4]) * dataset.RasterXSize
+    if shear[0] > 0.01 * abs(transform[1]) or shear[1] > 0.01 * abs(transform[5]):
+        raise UnusableDemError(f"The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).")
+    return (transform[0], transform[1], 0.0, transform[3], 0.0, transform[5])
+
+
+class Dem:
+    """An elevation model in a file; satisfies `core.terrain.Terrain`.
+
+    Attributes
+    ----------
+    path : str
+    band : int
+        From 1.
+    shape : (rows, columns)
+    crs_wkt : str
+    geotransform : tuple of 6 floats
+        GDAL's, without rotation.
+    nodata : float or None
+        As tagged.
+    zero_is_void : bool
+        Untagged zeros along the edges of a highland are read as missing data.
+    """
+
+    def __init__(self, path, dataset, band, crs_wkt, geotransform):
+        self.path, self.band, self.crs_wkt, self.geotransform = path, band, crs_wkt, geotransform
+        self.shape = dataset.RasterYSize, dataset.RasterXSize
+        self._dataset, self._band = dataset, dataset.GetRasterBand(band)
+        self.nodata = self._band.GetNoDataValue()
+        self.zero_is_void = False
+        unit_m = METRES_PER_UNIT.get((self._band.GetUnitType() or "").strip().lower(), 1.0)
+        scale, offset = self._band.GetScale(), self._band.GetOffset()
+        self._scale = (1.0 if scale is None else scale) * unit_m
+        self._offset = (0.0 if offset is None else offset) * unit_m
+        masked = self._band.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA)
+        self._mask = self._band.GetMaskBand() if masked else None
+
+    def read(self, window):
+        """See `Terrain.read`: float32 metres of the window, NaN for nodata, implausible values and void zeros."""
+        if window.clipped(self.shape) != window:
+            raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
+        out = np.empty((window.rows, window.cols), np.float32)
+        strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)
+        with _small_cache():
+            for start in range(0, window.rows if window.cols else 0, strip_rows):
+                strip = out[start : start + strip_rows]
+                self._read_strip(window.col, window.row + start, strip)
+        return out
+
+    def _read_strip(self, col, row, strip):
+        rows, cols = strip.shape
+        with quiet_gdal() as messages:
+            try:
+                done = self._band.ReadAsArray(col, row, cols, rows, buf_obj=strip)
+                hidden = None if self._mask is None else self._mask.ReadAsArray(col, row, cols, rows) == 0
+            except RuntimeError as error:
+                done, messages = None, [str(error)]
+        if done is None:
+            raise UnusableDemError(f"The DEM {self.path} is damaged ({'; '.join(messages)[:200]}). Copy it again.")
+        void = ~np.isfinite(strip)
+        if self.nodata is not None:
+            void |= strip == np.float32(self.nodata)
+        void |= strip == np.float32(COMMON_FILL)
+        if self.zero_is_void:
+            void |= strip == 0
+        if hidden is not None:
+            void |= hidden
+        if self._scale != 1.0 or self._offset != 0.0:
+            np.multiply(strip, np.float32(self._scale), out=strip)
+            np.add(strip, np.float32(self._offset), out=strip)
+        with np.errstate(invalid="ignore"):
+            void |= (strip <= PLAUSIBLE_M[0]) | (strip >= PLAUSIBLE_M[1])
+        strip[void] = np.nan
+
+    def frame(self, longitude_deg, latitude_deg, radius_m):
+        """See `Terrain.frame`: azimuthal equidistant on WGS 84 around the position, exact in any CRS."""
+        reach_deg = np.degrees(radius_m / 6_350_000.0)
+        transform = Transformer(
+            local_plane(longitude_deg, latitude_deg), self.crs_wkt, _area(longitude_deg, latitude_deg, reach_deg)
+        )
+        centre_x, _ = transform(0.0, 0.0)
+        period, wrap = x_period(self.crs_wkt), None
+        if period is not None:
+            home_x = self._nearest_x(float(centre_x), period)
+            wrap = lambda x: home_x + wrap_180((x - home_x) * (360 / period)) * (period / 360)  # noqa: E731
+
+        def to_pixel(east_m, north_m):
+            x, y = transform(east_m, north_m)
+            return self._pixel(x if wrap is None else wrap(x), y)
+
+        return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
+
+    def pixel_of(self, longitude_deg, latitude_deg):
+        """(col, row) of WGS 84 positions [pixels]; NaN where the CRS does not reach."""
+        x, y = from_wgs84(self.crs_wkt, longitude_deg, latitude_deg)
+        period = x_period(self.crs_wkt)
+        return self._pixel(x if period is None else self._nearest_x(x, period), y)
+
+    def position_of(self, col_px, row_px):
+        """WGS 84 (longitude, latitude) of pixels [degrees]; inverse of `pixel_of`."""
+        x0, dx, _, y0, _, dy = self.geotransform
+        longitude_deg, latitude_deg = to_wgs84(
+            self.crs_wkt, x0 + dx * np.add(col_px, 0.5), y0 + dy * np.add(row_px, 0.5)
+        )
+        return wrap_180(longitude_deg), latitude_deg
+
+    def _pixel(self, x, y):
+        x0, dx, _, y0, _, dy = self.geotransform
+        return (x - x0) / dx - 0.5, (y - y0) / dy - 0.5
+
+    def _nearest_x(self, x, period):
+        """Shift x by whole periods to the turn of the world in which the raster lies."""
+        middle_x = self.geotransform[0] + self.geotransform[1] * self.shape[1] / 2
+        return middle_x + wrap_180((x - middle_x) * (360 / period)) * (period / 360)
+
+    def _inspect(self):
+        """Refuse a raster without a valid cell, and find out whether zero means missing."""
+        sample, edge = self._sample()
+        valid = sample[np.isfinite(sample)]
+        if valid.size == 0 and not self._any_valid():
+            raise UnusableDemError(f"Band {self.band} of the DEM {self.path} has no valid cell. Choose another DEM.")
+        land = valid[valid != 0]
+        self.zero_is_void = bool((edge == 0).any() and land.size >= 100 and np.percentile(land, 1) > LOWLAND_M)
+
+    def _sample(self, side=9, patch=16):
+        """Read `side` x `side` small windows, evenly spread, corners included; and tell which touch the edge."""
+        rows, cols = self.shape
+        values, edge = [], []
+        for row in np.unique(np.linspace(0, max(rows - patch, 0), side).astype(int)):
+            for col in np.unique(np.linspace(0, max(cols - patch, 0), side).astype(int)):
+                cells = self.read(Window(int(row), int(col), patch, patch).clipped(self.shape))
+                values.append(cells.ravel())
+                if row == 0:
+                    edge.append(cells[0])
+                if col == 0:
+                    edge.append(cells[:, 0])
+                if row + patch >= rows:
+                    edge.append(cells[-1])
+                if col + patch >= cols:
+                    edge.append(cells[:, -1])
+        return np.concatenate(values), np.concatenate(edge)
+
+    def _any_valid(self):
+        rows, cols = self.shape
+        height = self._band.GetBlockSize()[1]
+        height *= max(STRIP_BYTES // (4 * cols * height), 1)
+        return any(
+            np.isfinite(self.read(Window(row, 0, height, cols).clipped(self.shape))).any()
+            for row in range(0, rows, height)
+        )
+
+
+def _area(longitude_deg, latitude_deg, reach_deg):
+    """Box around a position for PROJ's choice of a datum shift; west > east means across the antimeridian."""
+    south, north = max(latitude_deg - reach_deg, -90.0), min(latitude_deg + reach_deg, 90.0)
+    widest = max(abs(south), abs(north))
+    if widest > 85:
+        return -180.0, south, 180.0, north
+    across = reach_deg / np.cos(np.radians(widest))
+    return (
+        float(wrap_180(longitude_deg - across)),
+        float(south),
+        float(wrap_180(longitude_deg + across)),
+        float(north),
+    )
+
+
+@contextmanager
+def _small_cache():
+    """Hold GDAL's block cache small while a window passes through, and leave it as the host had it."""
+    before = gdal.GetCacheMax()
+    if before > CACHE_BYTES:
+        gdal.SetCacheMax(CACHE_BYTES)
+    try:
+        yield
+    finally:
+        if before > CACHE_BYTES:
+            gdal.SetCacheMax(before)
