@@ -1,0 +1,109 @@
+"""Highest elevation of each small block of cells: what lets the horizon search skip nearly all of the terrain.
+
+The raster is read once, in strips, and only one number in `block` x `block` cells is kept, so that memory does not
+depend on the size of the file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import maximum_filter
+
+from .progress import SILENT, checkpoint
+from .terrain import Window
+
+STRIP_ROWS = 512
+"""Strips start at multiples of this many rows, so that no tile of a usual file is decoded twice."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockMaxima:
+    """Upper bounds of a window of the terrain.
+
+    Attributes
+    ----------
+    window : Window
+        What was read; its first row and column are multiples of `block`.
+    block : int
+        Side of a block [cells].
+    highest_m : (R, C) float32 array
+        Highest known elevation of the block **and its eight neighbours** [m]; -inf where nothing is known. It
+        bounds every interpolated sample within `block` cells of any point in the block.
+    has_void, all_void : (R, C) bool arrays
+        Whether some cell of the block or its neighbours, or every cell of the block itself, is without data.
+    summit_m : float
+        Highest known elevation of the window [m]; -inf where nothing is known.
+    """
+
+    window: Window
+    block: int
+    highest_m: np.ndarray
+    has_void: np.ndarray
+    all_void: np.ndarray
+    summit_m: float
+
+    def index(self, col_px, row_px):
+        """Block (row, column) under pixels of the whole raster, held inside the window."""
+        rows, cols = self.highest_m.shape
+        row = (np.floor(row_px + 0.5).astype(np.intp) - self.window.row) // self.block
+        col = (np.floor(col_px + 0.5).astype(np.intp) - self.window.col) // self.block
+        return np.clip(row, 0, rows - 1), np.clip(col, 0, cols - 1)
+
+
+def aligned(window, block, shape):
+    """Grow a window so that it starts at whole blocks; cut to a raster of `shape`."""
+    row, col = max(window.row, 0) // block * block, max(window.col, 0) // block * block
+    return Window(row, col, window.row + window.rows - row, window.col + window.cols - col).clipped(shape)
+
+
+def block_maxima(terrain, window, block, progress=SILENT):
+    """Read a window in strips and keep the maximum of every block.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    window : Window
+        Starts at whole blocks (see `aligned`) and lies inside the raster.
+    block : int
+        Side of a block, a power of two that divides `STRIP_ROWS` [cells].
+    progress : Progress
+
+    Returns
+    -------
+    BlockMaxima
+    """
+    count = (-(-window.rows // block), -(-window.cols // block))
+    highest = np.full(count, -np.inf, np.float32)
+    has_void, all_void = np.zeros(count, bool), np.zeros(count, bool)
+    row, stop = window.row, window.row + window.rows
+    while row < stop:
+        checkpoint(progress, (row - window.row) / window.rows)
+        end = min(stop, (row // STRIP_ROWS + 1) * STRIP_ROWS)
+        strip = terrain.read(Window(row, window.col, end - row, window.cols))
+        place = slice((row - window.row) // block, -(-(end - window.row) // block))
+        maxima = _maxima_of(strip, block)
+        unknown = np.isnan(maxima)
+        if unknown.any():
+            maxima = _maxima_of(np.where(np.isnan(strip), np.float32(-np.inf), strip), block)
+            has_void[place], all_void[place] = unknown, np.isneginf(maxima)
+        highest[place] = maxima
+        row = end
+    summit = float(highest.max()) if highest.size else -np.inf
+    if has_void.any():
+        has_void = maximum_filter(has_void, size=3, mode="nearest")
+    return BlockMaxima(window, block, maximum_filter(highest, size=3, mode="nearest"), has_void, all_void, summit)
+
+
+def _maxima_of(strip, block):
+    """Maximum of each block of a strip; NaN wherever a block holds one."""
+    rows, cols = strip.shape
+    lines = np.empty((-(-rows // block), -(-cols // block) * block), np.float32)
+    lines[:, cols:] = -np.inf
+    for line, row in enumerate(range(0, rows, block)):
+        np.max(strip[row : row + block], axis=0, out=lines[line, :cols])
+    while block > 1:  # halving is several times faster than a reduction over a short axis
+        lines = np.maximum(lines[:, ::2], lines[:, 1::2])
+        block //= 2
+    return lines

@@ -1,0 +1,98 @@
+"""Rays of true azimuth and true ground distance, laid over a raster of any CRS."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+NODES = 129
+"""Nodes along a ray between which pixel positions are interpolated; the frame itself is tabulated as coarsely."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rays:
+    """Pixel positions of rays around one observer.
+
+    Attributes
+    ----------
+    azimuth_deg : (A,) array
+        Clockwise from true north [degrees].
+    node_m : (M,) array
+        Regular ground distances from 0 [m].
+    col_px, row_px : (A, M) arrays
+        Position of the nodes in the whole raster [pixels].
+    reach_m : (A,) array
+        Where each ray leaves the raster's cells, at most the last node [m].
+    """
+
+    azimuth_deg: np.ndarray
+    node_m: np.ndarray
+    col_px: np.ndarray
+    row_px: np.ndarray
+    reach_m: np.ndarray
+
+    def at(self, distance_m, rays=slice(None)):
+        """(col, row) of every chosen ray at every distance [pixels]: (a, D) arrays for (D,) distances."""
+        place = np.asarray(distance_m) / self.node_m[1]
+        low = np.minimum(place.astype(np.intp), len(self.node_m) - 2)
+        share = place - low
+        return tuple(
+            table[rays][:, low] * (1 - share) + table[rays][:, low + 1] * share for table in (self.col_px, self.row_px)
+        )
+
+    def at_pairs(self, ray, distance_m):
+        """(col, row) of single (ray, distance) pairs [pixels]; `ray` and `distance_m` broadcast together."""
+        place = distance_m / self.node_m[1]
+        low = np.minimum(place.astype(np.intp), len(self.node_m) - 2)
+        share = place - low
+        return tuple(
+            table[ray, low] * (1 - share) + table[ray, low + 1] * share for table in (self.col_px, self.row_px)
+        )
+
+    @property
+    def pixels_per_metre(self):
+        """Fastest change of column or row along any ray, within the raster."""
+        step = self.node_m[1]
+        inside = self.node_m[None, :-1] <= self.reach_m[:, None]
+        change = np.maximum(np.abs(np.diff(self.col_px)), np.abs(np.diff(self.row_px)))
+        return float(change[inside].max()) / step
+
+
+def lay_rays(frame, shape, azimuth_deg, max_distance_m):
+    """Lay rays from the frame's observer over a raster of `shape` (rows, columns).
+
+    A ray ends where it leaves the outer cells' area for the first time, or at `max_distance_m`.
+    """
+    limit = max_distance_m
+    for _ in range(2):  # a small raster in a long range: spend the nodes where the raster is
+        nodes = 2 if frame.remainder_px is None else NODES
+        node_m = np.linspace(0.0, limit, nodes)
+        turn = np.radians(azimuth_deg)[:, None]
+        col, row = frame.to_pixel(node_m * np.sin(turn), node_m * np.cos(turn))
+        reach = _reach(node_m, col, row, shape)
+        furthest = float(reach.max())
+        if not 0 < furthest < 0.5 * limit:
+            break
+        limit = min(limit, furthest * 1.02)
+    return Rays(np.asarray(azimuth_deg, float), node_m, col, row, reach)
+
+
+def _reach(node_m, col, row, shape):
+    """Distance at which each ray first leaves [-0.5, count - 0.5] in columns or rows [m]."""
+    excess = np.maximum.reduce([-0.5 - col, col - (shape[1] - 0.5), -0.5 - row, row - (shape[0] - 0.5)])
+    outside = excess > 0
+    first = np.where(outside.any(axis=1), outside.argmax(axis=1), len(node_m))
+    reach = np.full(len(col), node_m[-1])
+    leaves = np.flatnonzero(first < len(node_m))
+    at = first[leaves]
+    before = np.maximum(at - 1, 0)
+    share = np.ones(len(leaves))
+    for line, low, high in ((col, -0.5, shape[1] - 0.5), (row, -0.5, shape[0] - 0.5)):
+        start, end = line[leaves, before], line[leaves, at]
+        bound = np.where(end > start, high, low)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            part = (bound - start) / (end - start)
+        share = np.minimum(share, np.where(part >= 0, part, 1.0))
+    reach[leaves] = node_m[before] + (node_m[at] - node_m[before]) * np.where(at == 0, 0.0, share)
+    return reach
