@@ -1,1 +1,1 @@
-"""QGIS Processing algorithms: thin shells that read, call the core, and write."""
+"""The QGIS shell: each algorithm reads its parameters, calls the core and writes what comes back."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib
+import os
 import sys
+from contextlib import contextmanager
 
 from .errors import MissingPackageError
 
@@ -13,9 +15,28 @@ PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exi
 def available(module):
     """Import an optional module and return it, or None where it is missing or broken."""
     try:
-        return importlib.import_module(module)
+        with _own_libraries_first(module):
+            return importlib.import_module(module)
     except Exception:  # a binary built against another NumPy raises much more than ImportError
         return None
+
+
+@contextmanager
+def _own_libraries_first(module):
+    """Bind pillow-heif to the libheif that it brings.
+
+    On Linux the QGIS programs have GDAL's older libheif in their global scope. Without RTLD_DEEPBIND the wheel's calls
+    go there and the whole process dies with a segmentation fault.
+    """
+    if module != "pillow_heif" or not hasattr(os, "RTLD_DEEPBIND"):
+        yield
+        return
+    flags = sys.getdlopenflags()
+    sys.setdlopenflags(os.RTLD_NOW | os.RTLD_DEEPBIND)
+    try:
+        yield
+    finally:
+        sys.setdlopenflags(flags)
 
 
 def require(module, feature):

@@ -1,1 +1,1 @@
-"""The Processing provider of Skyline Viewshed."""
+"""What the Processing toolbox shows: the provider with its algorithms and models."""

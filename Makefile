@@ -1,0 +1,96 @@
+SHELL := /bin/bash
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory
+
+PYTHON  := .venv/bin/python
+PLUGINS := build/plugins
+LINK    := $(PLUGINS)/skyline_viewshed
+DATA    ?=
+METHOD  ?= robust
+COMPASS ?= ignore
+PHOTOS  ?=
+DEM     ?=
+PYTEST_ARGS ?=
+export QT_QPA_PLATFORM ?= offscreen
+export OMP_NUM_THREADS ?= 1
+export OPENBLAS_NUM_THREADS ?= 1
+export PYTHONPATH := $(PLUGINS)
+
+.PHONY: help
+help: ## List the targets
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "  %-17s %s\n", $$1, $$2}'
+
+.PHONY: setup
+setup: link ## Install what is missing (system packages when root or with sudo, .venv)
+	@tools/setup.sh
+
+.PHONY: link
+link: ## Make build/plugins/skyline_viewshed, the one name under which the package is imported
+	@mkdir -p $(PLUGINS) && { [ -e $(LINK) ] || ln -s ../.. $(LINK); }
+
+.PHONY: demo
+demo: setup ## Run the main job on a simulated sample, or on PHOTOS=folder DEM=raster; result in build/demo
+	@PHOTOS="$(PHOTOS)" DEM="$(DEM)" tools/demo.sh
+
+.PHONY: test
+test: setup ## Run all tests
+	@$(PYTHON) -m pytest $(PYTEST_ARGS)
+
+.PHONY: test-core
+test-core: setup ## Run the tests that need no QGIS
+	@$(PYTHON) -m pytest tests/core tests/test_architecture.py $(PYTEST_ARGS)
+
+.PHONY: test-qgis
+test-qgis: setup ## Run the tests of the QGIS side
+	@$(PYTHON) -m pytest tests/algorithms $(PYTEST_ARGS)
+
+.PHONY: test-bare
+test-bare: setup ## Run the QGIS tests with OpenCV, pillow-heif and exifread blocked
+	@SKYLINE_BARE=1 $(PYTHON) -m pytest tests/algorithms tests/core/io $(PYTEST_ARGS)
+
+.PHONY: lint
+lint: setup ## Check style, Qt6 readiness and import rules
+	@$(PYTHON) -m ruff check . && $(PYTHON) -m ruff format --check .
+	@$(PYTHON) -m flake8 --select QGS plugin.py processing_provider algorithms
+	@$(PYTHON) -m pytest -q tests/test_architecture.py
+
+.PHONY: format
+format: setup ## Format the code
+	@$(PYTHON) -m ruff check --fix . && $(PYTHON) -m ruff format .
+
+.PHONY: bench-accuracy
+bench-accuracy: setup ## Headings against the truth: DATA=folder [METHOD=robust|paper] [COMPASS=ignore|prior]
+	@$(PYTHON) benchmarks/accuracy.py "$(DATA)" --method $(METHOD) --compass $(COMPASS)
+
+.PHONY: bench-skyline
+bench-skyline: setup ## Skylines against masks: DATA=folder
+	@$(PYTHON) benchmarks/skyline.py "$(DATA)"
+
+.PHONY: bench-simulated
+bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes
+	@$(PYTHON) benchmarks/simulated.py
+
+.PHONY: bench-speed
+bench-speed: setup ## Horizon and viewshed against their peers
+	@$(PYTHON) benchmarks/speed.py
+
+.PHONY: env
+env: setup ## Print the variables with which a plain qgis_process sees the plugin: eval "$$(make env)"
+	@tools/env.sh
+
+.PHONY: models
+models: setup ## Rebuild models/*.model3 from tools/make_models.py
+	@$(PYTHON) tools/make_models.py
+
+.PHONY: zip
+zip: ## Make build/skyline_viewshed.zip, ready for the plugin site
+	@mkdir -p build && rm -f build/skyline_viewshed.zip
+	@git archive --format=zip --prefix=skyline_viewshed/ -o build/skyline_viewshed.zip HEAD && echo build/skyline_viewshed.zip
+
+.PHONY: install
+install: zip ## Install into the QGIS profile of this user
+	@tools/install.sh
+
+.PHONY: clean
+clean: ## Remove what was built; .venv stays
+	@find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} + ; rm -rf build/* .pytest_cache .ruff_cache .hypothesis

@@ -1,0 +1,124 @@
+"""What all algorithms share: identity, help, and the one place that turns core errors into QGIS's."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingException,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterRasterDestination,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ..core.errors import Cancelled, SkylineViewshedError
+from .i18n import tr
+
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = "https://github.com/skyline-viewshed/skyline_viewshed/blob/main/docs/algorithms.md"
+
+
+class SkylineAlgorithm(QgsProcessingAlgorithm):
+    """Base of the algorithms.
+
+    A subclass sets `ID`, says what it is in `displayName`, `group`, `help_text` and `tags`, and does its work in
+    `run`, which may raise the core's errors. Files and layers are written when the work is done, so that a failed
+    or cancelled run leaves nothing behind.
+    """
+
+    ID = ""
+    GROUP_ID = ""
+
+    def createInstance(self):
+        """Give QGIS a fresh copy."""
+        return type(self)()
+
+    def name(self):
+        """Identifier; never changes."""
+        return self.ID
+
+    def groupId(self):
+        """Identifier of the group; never changes."""
+        return self.GROUP_ID
+
+    def group(self):
+        """Group in the toolbox."""
+        return {
+            "photographs": tr("Photographs"),
+            "terrain": tr("Terrain and visibility"),
+            "all": tr("All in one"),
+            "checks": tr("Checks and simulation"),
+        }[self.GROUP_ID]
+
+    def icon(self):
+        """Icon in the toolbox."""
+        return QIcon(self.svgIconPath())
+
+    def svgIconPath(self):
+        """Path of the same icon, which the toolbox prefers."""
+        return str(ROOT / "icons" / f"{self.ID}.svg")
+
+    def helpUrl(self):
+        """Chapter of the algorithm reference."""
+        return f"{DOCS}#{self.ID}"
+
+    def shortHelpString(self):
+        """Help beside the dialog: what it does, with a picture where there is one."""
+        picture = ROOT / "icons" / "help" / f"{self.ID}.png"
+        image = f'<p><img src="{picture.as_uri()}" width="280"/></p>' if picture.exists() else ""
+        paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.help_text())
+        return f'{image}{paragraphs}<p><a href="{self.helpUrl()}">{tr("Reference")}</a></p>'
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        raise NotImplementedError
+
+    def checkParameterValues(self, parameters, context):
+        """Refuse what cannot work before anything is started, and say how to mend it."""
+        passed, message = super().checkParameterValues(parameters, context)
+        if not passed:
+            return passed, message
+        message = self._destination_fault(parameters, context) or self.input_fault(parameters, context)
+        return (False, message) if message else (True, "")
+
+    def input_fault(self, parameters, context):
+        """Sentence about the first input that cannot work, or None."""
+        return None
+
+    def processAlgorithm(self, parameters, context, feedback):
+        """Run, and say a core error as QGIS's."""
+        try:
+            return self.run(parameters, context, feedback)
+        except Cancelled as stop:
+            raise QgsProcessingException(tr("Cancelled. Nothing was written.")) from stop
+        except SkylineViewshedError as error:
+            raise QgsProcessingException(str(error)) from error
+
+    def run(self, parameters, context, feedback):
+        """Do the work and return the outputs."""
+        raise NotImplementedError
+
+    def _destination_fault(self, parameters, context):
+        for definition in self.parameterDefinitions():
+            if not isinstance(
+                definition, (QgsProcessingParameterFileDestination, QgsProcessingParameterRasterDestination)
+            ):
+                continue
+            value = parameters.get(definition.name())
+            if not isinstance(value, str) or not value or value == "TEMPORARY_OUTPUT":
+                continue
+            folder = _nearest_folder(Path(value).expanduser().absolute().parent)
+            if not os.access(folder, os.W_OK) or not folder.is_dir():
+                return tr("{name} cannot be written: {folder} is not a folder you may write to.").format(
+                    folder=folder, name=definition.name()
+                )
+        return None
+
+
+def _nearest_folder(path):
+    """Nearest ancestor that exists; missing folders below it are made when the output is written."""
+    while not path.exists() and path != path.parent:
+        path = path.parent
+    return path

@@ -1,0 +1,33 @@
+"""QGIS's feedback as the core's Progress."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from .i18n import tr
+
+
+@dataclass(frozen=True)
+class FeedbackProgress:
+    """Pass fractions on to a `QgsProcessingFeedback` and the wish to stop back to the core."""
+
+    feedback: Any
+
+    def report(self, fraction):
+        """Move the bar; `fraction` is 0 to 1."""
+        self.feedback.setProgress(100.0 * fraction)
+
+    def cancelled(self):
+        """Tell whether the user pressed Cancel."""
+        return self.feedback.isCanceled()
+
+
+def announce(feedback, name, index, count):
+    """Say which photo or point the run is at."""
+    feedback.setProgressText(tr("{name} ({number}/{count})").format(name=name, number=index + 1, count=count))
+
+
+def warn(feedback, name, message):
+    """Say that one photo or point has a fault while the batch goes on."""
+    feedback.pushWarning(f"{name}: {message}")

@@ -1,0 +1,227 @@
+"""Parameters that several algorithms share, each defined once: label, unit, range, tooltip."""
+
+from __future__ import annotations
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingParameterBand,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterDistance,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+    QgsUnitTypes,
+)
+
+from .i18n import tr
+
+METHODS = ("robust", "paper")
+COMPASS_USES = ("ignore", "prior")
+SECTORS = ("photo frame", "heading wedge", "full circle")
+
+
+def advanced(parameter):
+    """Move a parameter below 'Advanced'."""
+    parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+    return parameter
+
+
+def explained(parameter, text):
+    """Give a parameter its tooltip."""
+    parameter.setHelp(text)
+    return parameter
+
+
+def photo_source(name="INPUT", optional=False):
+    """Point layer of photographs."""
+    return explained(
+        QgsProcessingParameterFeatureSource(
+            name, tr("Photo points"), [QgsProcessing.SourceType.TypeVectorPoint], optional=optional
+        ),
+        tr(
+            "One point per photograph, in any coordinate system, for example from Import geotagged photos. "
+            "The point is the camera's position; a point without geometry takes the position in the photograph."
+        ),
+    )
+
+
+def photo_field(parent="INPUT", name="PHOTO_FIELD"):
+    """Field with the photograph's path."""
+    return explained(
+        QgsProcessingParameterField(
+            name,
+            tr("Field with the photo's path"),
+            "photo",
+            parent,
+            QgsProcessingParameterField.DataType.String,
+            optional=True,
+        ),
+        tr("Full path of the photograph; a relative path counts from the layer's or the project's folder."),
+    )
+
+
+def number_field(name, label, text, default=None, parent="INPUT"):
+    """Optional numeric field; NULL in it means: not given."""
+    return explained(
+        QgsProcessingParameterField(
+            name, label, default, parent, QgsProcessingParameterField.DataType.Numeric, optional=True
+        ),
+        text,
+    )
+
+
+def dem(name="DEM"):
+    """Elevation model."""
+    return explained(
+        QgsProcessingParameterRasterLayer(name, tr("Elevation model (DEM)")),
+        tr(
+            "Any raster with heights in metres and a coordinate system, projected or geographic. "
+            "It should reach as far as the mountains that are seen."
+        ),
+    )
+
+
+def band(name="BAND", parent="DEM"):
+    """Band of the elevation model."""
+    return explained(
+        advanced(QgsProcessingParameterBand(name, tr("DEM band"), 1, parent)), tr("Band that holds the heights.")
+    )
+
+
+def method(name="METHOD"):
+    """Robust solver or the published method."""
+    return explained(
+        QgsProcessingParameterEnum(
+            name, tr("Method"), [tr("robust"), tr("paper (as published)")], defaultValue=METHODS.index("robust")
+        ),
+        tr(
+            "Robust: exact camera geometry, all headings, an honest error bar. "
+            "Paper: the published correlation of skylines, for comparison."
+        ),
+    )
+
+
+def compass(name="COMPASS"):
+    """Whether the recorded heading may help."""
+    return explained(
+        QgsProcessingParameterEnum(
+            name,
+            tr("Recorded compass heading"),
+            [tr("ignore"), tr("use as a hint")],
+            defaultValue=COMPASS_USES.index("ignore"),
+        ),
+        tr(
+            "Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; "
+            "a clear skyline overrules it."
+        ),
+    )
+
+
+def distance(name, label, default, text, minimum=0.0, optional=False):
+    """Length in metres, whatever the layers' coordinate systems."""
+    parameter = QgsProcessingParameterDistance(name, label, default, None, optional, minimum)
+    parameter.setDefaultUnit(QgsUnitTypes.DistanceUnit.DistanceMeters)
+    return explained(parameter, text)
+
+
+def number(name, label, default, text, minimum=None, maximum=None, optional=False, integer=False):
+    """Plain number."""
+    kind = QgsProcessingParameterNumber.Type.Integer if integer else QgsProcessingParameterNumber.Type.Double
+    parameter = QgsProcessingParameterNumber(name, label, kind, default, optional)
+    if minimum is not None:
+        parameter.setMinimum(minimum)
+    if maximum is not None:
+        parameter.setMaximum(maximum)
+    return explained(parameter, text)
+
+
+def eye_height(default=1.7):
+    """Height of the camera above the ground."""
+    return distance(
+        "EYE_HEIGHT",
+        tr("Camera height above ground (m)"),
+        default,
+        tr("Metres above the elevation model, where no absolute height is given."),
+    )
+
+
+def max_distance(default):
+    """Range of the search or of the viewshed."""
+    return distance(
+        "MAX_DISTANCE",
+        tr("Maximum distance (m)"),
+        default,
+        tr("Ground metres from the camera. Nothing beyond is looked at."),
+        minimum=1.0,
+    )
+
+
+def refraction(default):
+    """Refraction coefficient."""
+    return number(
+        "REFRACTION",
+        tr("Refraction coefficient"),
+        default,
+        tr("Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied."),
+        minimum=-1.0,
+        maximum=1.0,
+    )
+
+
+def sector(name="SECTOR"):
+    """Which directions the viewshed covers."""
+    return explained(
+        QgsProcessingParameterEnum(
+            name,
+            tr("Area"),
+            [tr("photo frame"), tr("heading wedge"), tr("full circle")],
+            defaultValue=SECTORS.index("photo frame"),
+        ),
+        tr(
+            "Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all "
+            "ground within the horizontal field of view. Full circle: all that can be seen from the place."
+        ),
+    )
+
+
+def points_out(name, label, kind=QgsProcessing.SourceType.TypeVectorPoint, optional=False, create=True):
+    """Vector output."""
+    parameter = QgsProcessingParameterFeatureSink(name, label, kind, optional=optional)
+    parameter.setCreateByDefault(create)
+    return parameter
+
+
+def raster_out(name, label, optional=False, create=True):
+    """Raster output."""
+    parameter = QgsProcessingParameterRasterDestination(name, label, optional=optional)
+    parameter.setCreateByDefault(create)
+    return parameter
+
+
+def report_out(name="REPORT", create=True):
+    """HTML report, opened from the results viewer."""
+    parameter = QgsProcessingParameterFileDestination(
+        name, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=create
+    )
+    return explained(parameter, tr("One self-contained HTML file with figures, numbers and advice per photograph."))
+
+
+def folder_out(name, label, text, optional=True, create=False):
+    """Folder of files."""
+    parameter = QgsProcessingParameterFolderDestination(name, label, optional=optional, createByDefault=create)
+    return explained(parameter, text)
+
+
+def folder_in(name, label, text, optional=False):
+    """Folder to read."""
+    return explained(
+        QgsProcessingParameterFile(name, label, QgsProcessingParameterFile.Behavior.Folder, optional=optional),
+        text,
+    )

@@ -1,0 +1,55 @@
+"""The plugin as QGIS sees it: it registers the Processing provider and nothing else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication, QLocale, QSettings, QTranslator
+
+from .processing_provider.provider import SkylineViewshedProvider
+
+TRANSLATIONS = Path(__file__).parent / "i18n"
+
+
+class SkylineViewshedPlugin:
+    """Life of the plugin: load the translation and the provider, and take both away again.
+
+    Parameters
+    ----------
+    iface : QgisInterface or None
+        None in qgis_process and on a server.
+    """
+
+    def __init__(self, iface):
+        self.iface = iface
+        self.provider = None
+        self.translator = None
+
+    def initProcessing(self):
+        """Register the provider; the only step that qgis_process asks for."""
+        self._install_translation()
+        # QGIS does not own a Python provider: without this reference its algorithms would vanish.
+        self.provider = SkylineViewshedProvider()
+        QgsApplication.processingRegistry().addProvider(self.provider)
+
+    def initGui(self):
+        """Start within the desktop."""
+        self.initProcessing()
+
+    def unload(self):
+        """Leave QGIS as it was."""
+        if self.provider is not None:
+            QgsApplication.processingRegistry().removeProvider(self.provider)
+            self.provider = None
+        if self.translator is not None:
+            QCoreApplication.removeTranslator(self.translator)
+            self.translator = None
+
+    def _install_translation(self):
+        locale = QSettings().value("locale/userLocale", QLocale().name()) or "en"
+        compiled = TRANSLATIONS / f"skyline_viewshed_{str(locale)[:2]}.qm"
+        if compiled.exists():
+            self.translator = QTranslator()
+            self.translator.load(str(compiled))
+            QCoreApplication.installTranslator(self.translator)

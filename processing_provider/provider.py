@@ -1,0 +1,60 @@
+"""The Processing provider `skylineviewshed`: its algorithms and the models that ship with it."""
+
+from __future__ import annotations
+
+from configparser import ConfigParser
+from importlib import import_module
+from pathlib import Path
+
+from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.PyQt.QtGui import QIcon
+
+ROOT = Path(__file__).resolve().parent.parent
+PROVIDER_ID = "skylineviewshed"
+
+ALGORITHMS = (("import_photos", "ImportPhotos"),)
+"""(module under `algorithms`, class), in the order of the work."""
+
+
+class SkylineViewshedProvider(QgsProcessingProvider):
+    """Algorithms from photograph to viewshed."""
+
+    def id(self):
+        """Part of every algorithm's identifier; never changes."""
+        return PROVIDER_ID
+
+    def name(self):
+        """As the toolbox shows it; a proper name, not translated."""
+        return "Skyline Viewshed"
+
+    def longName(self):
+        """Name and version, as the options dialog shows them."""
+        return f"{self.name()} {self.versionInfo()}"
+
+    def versionInfo(self):
+        """Give the plugin's version."""
+        metadata = ConfigParser(interpolation=None)
+        metadata.read(ROOT / "metadata.txt", encoding="utf-8")
+        return metadata.get("general", "version", fallback="")
+
+    def helpId(self):
+        """Anchor of the help; the algorithms carry their own links."""
+        return PROVIDER_ID
+
+    def icon(self):
+        """Icon of the provider in the toolbox."""
+        return QIcon(self.svgIconPath())
+
+    def svgIconPath(self):
+        """Path of the same icon, which the toolbox prefers."""
+        return str(ROOT / "icons" / "provider.svg")
+
+    def loadAlgorithms(self):
+        """Add the algorithms, then the models that are built from them."""
+        for module, name in ALGORITHMS:
+            self.addAlgorithm(getattr(import_module(f"..algorithms.{module}", __package__), name)())
+        for path in sorted((ROOT / "models").glob("*.model3")):
+            model = QgsProcessingModelAlgorithm()
+            if model.fromFile(str(path)):
+                model.setProvider(self)
+                self.addAlgorithm(model)
