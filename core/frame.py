@@ -119,9 +119,7 @@ def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
     """
     step = min(10.0, radius_m / 100)
     col, row = transform(np.array([0, step, -step, 0, 0]), np.array([0, 0, 0, step, -step]))
-    jacobian = np.array(
-        [[col[1] - col[2], col[3] - col[4]], [row[1] - row[2], row[3] - row[4]]]
-    ) / (2 * step)
+    jacobian = np.array([[col[1] - col[2], col[3] - col[4]], [row[1] - row[2], row[3] - row[4]]]) / (2 * step)
     frame = LocalFrame(longitude_deg, latitude_deg, float(col[0]), float(row[0]), jacobian, float(radius_m))
     axis = np.linspace(-radius_m, radius_m, size)
     north, east = np.meshgrid(axis, axis, indexing="ij")
@@ -132,6 +130,4 @@ def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
         remainder = np.nan_to_num(remainder, nan=0.0, posinf=0.0, neginf=0.0)
     if np.abs(remainder).max() < NEGLIGIBLE_PX:
         return frame
-    return LocalFrame(
-        longitude_deg, latitude_deg, frame.col_px, frame.row_px, jacobian, float(radius_m), remainder
-    )
+    return LocalFrame(longitude_deg, latitude_deg, frame.col_px, frame.row_px, jacobian, float(radius_m), remainder)

@@ -114,18 +114,14 @@ class ArrayTerrain:
         """(col, row) of a position [pixels]."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
-        col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(
-            np.radians(self.latitude_deg)
-        )
+        col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(np.radians(self.latitude_deg))
         return col, (rows - 1) / 2 - (latitude_deg - self.latitude_deg) * per_degree
 
     def position_of(self, col_px, row_px):
         """(longitude, latitude) of a pixel [degrees]; inverse of `pixel_of`."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
-        longitude = self.longitude_deg + (col_px - (cols - 1) / 2) / per_degree / np.cos(
-            np.radians(self.latitude_deg)
-        )
+        longitude = self.longitude_deg + (col_px - (cols - 1) / 2) / per_degree / np.cos(np.radians(self.latitude_deg))
         return longitude, self.latitude_deg - (row_px - (rows - 1) / 2) / per_degree
 
 
