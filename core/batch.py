@@ -1,0 +1,253 @@
+"""One photograph in, one answer out: the entry that QGIS algorithms, benchmarks and scripts share.
+
+It reads the file, settles position, lens and eye, shares horizons between photographs of one station, and turns
+every fault of a photograph into an answer with status 'failed' and a sentence. Faults of the DEM stop the batch.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from . import imaging
+from .compass import compass_prior, true_heading_deg
+from .curvature import apparent_drop_m
+from .errors import MissingMetadataError, MissingPackageError, PhotoError
+from .horizon import horizon_profile
+from .io.crs import WGS84, Transformer, local_plane
+from .io.photo import read_photo
+from .model import HeadingPrior, Landmark, Orientation, OrientedPhoto
+from .pipeline import Hints, OrientOptions, camera_prior, orient_photo
+from .progress import SILENT, subtask
+from .skyline_given import evidence_from_line, evidence_from_mask
+from .terrain import Observer, eye_elevation_m, ground_elevation_m
+
+PREVIEW_PX = 1024
+"""Long side of the pictures that the robust method and the figures work with; the evidence itself uses 512."""
+
+TYPICAL_POSITION_ERROR_M = 8.0
+
+
+@dataclass(frozen=True)
+class LandmarkHint:
+    """A pixel of the full upright picture and the map point that it shows.
+
+    Attributes
+    ----------
+    x_px, y_px : float
+        The first pixel's centre at 0 [pixels].
+    longitude_deg, latitude_deg : float
+        WGS 84 [degrees].
+    elevation_m : float or None
+        Absolute [m]; None takes the DEM's.
+    sigma_px : float
+        Precision of the click [pixels].
+    """
+
+    x_px: float
+    y_px: float
+    longitude_deg: float
+    latitude_deg: float
+    elevation_m: float | None = None
+    sigma_px: float = 5.0
+
+
+@dataclass(frozen=True)
+class PhotoRequest:
+    """One photograph and what is known beside the file; None takes the file's or the DEM's word.
+
+    Attributes
+    ----------
+    path : str
+    longitude_deg, latitude_deg : float or None
+        Position, WGS 84 [degrees]; 0, 0 counts as none.
+    prefer_photo_position : bool
+        Take the file's own position where it has one, and the given one only otherwise.
+    eye_elevation_m : float or None
+        Absolute elevation of the eye in the DEM's height system [m].
+    eye_height_m : float
+        Above the DEM [m], where no elevation is given.
+    hfov_deg : float or None
+        Horizontal field of view of the upright picture [degrees].
+    focal_length_35mm : float or None
+        Overrides the file's [mm].
+    position_error_m : float or None
+        Standard deviation of the position [m].
+    heading_deg, heading_tolerance_deg : float or None, float
+        Approximate true heading, and the distance within which it surely lies [degrees].
+    landmarks : tuple of LandmarkHint
+    drawn_skyline : tuple of (x_px, y_px) or None
+        Vertices on the full upright picture.
+    sky_mask_path : str or None
+        Picture in which the sky is white.
+    """
+
+    path: str
+    longitude_deg: float | None = None
+    latitude_deg: float | None = None
+    prefer_photo_position: bool = False
+    eye_elevation_m: float | None = None
+    eye_height_m: float = 1.7
+    hfov_deg: float | None = None
+    focal_length_35mm: float | None = None
+    position_error_m: float | None = None
+    heading_deg: float | None = None
+    heading_tolerance_deg: float = 20.0
+    landmarks: tuple = ()
+    drawn_skyline: tuple | None = None
+    sky_mask_path: str | None = None
+
+
+class HorizonCache:
+    """The last horizons, for photographs taken from one station.
+
+    Parameters
+    ----------
+    size : int
+        Horizons kept; each takes about 100 kB.
+    """
+
+    def __init__(self, size=32):
+        self.size = size
+        self._kept = OrderedDict()
+
+    def profile(self, dem, observer, options, progress=SILENT):
+        """Give the observer's horizon, cast anew only where it is not among the last ones."""
+        key = (id(dem), observer, options)
+        if key not in self._kept:
+            self._kept[key] = (horizon_profile(dem, observer, options, progress), dem)
+            while len(self._kept) > self.size:
+                self._kept.popitem(last=False)
+        self._kept.move_to_end(key)
+        return self._kept[key][0]
+
+
+def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT):  # noqa: B008 - frozen
+    """Orient one photograph.
+
+    Parameters
+    ----------
+    request : PhotoRequest
+    dem : core.io.raster.Dem
+    options : OrientOptions
+    cache : HorizonCache or None
+    progress : Progress
+
+    Returns
+    -------
+    OrientedPhoto
+        Status 'failed' with the reason where the photograph or its facts are at fault.
+
+    Raises
+    ------
+    TerrainError
+        The DEM as a whole cannot be used.
+    """
+    try:
+        return _orient(request, dem, options, cache or HorizonCache(), progress)
+    except (PhotoError, MissingPackageError) as error:
+        return OrientedPhoto(request.path, Orientation("failed", str(error)))
+
+
+def _orient(request, dem, options, cache, progress):
+    paper = options.method == "paper"
+    photo = read_photo(request.path, None if paper else PREVIEW_PX)
+    if request.focal_length_35mm is not None:
+        photo = replace(photo, metadata=replace(photo.metadata, focal_length_35mm=request.focal_length_35mm))
+    metadata = photo.metadata
+    longitude, latitude, given = _position(request, metadata)
+    observer = Observer(longitude, latitude, request.eye_height_m, request.eye_elevation_m)
+    prior = camera_prior(metadata, request.hfov_deg)
+    compass = true_heading_deg(metadata, _declination_deg(metadata, longitude, latitude))
+    hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
+    horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
+    error = request.position_error_m
+    if error is None and not given:
+        error = metadata.position_error_m
+    oriented = orient_photo(
+        photo, dem, observer, prior, options, hints, horizon, error or TYPICAL_POSITION_ERROR_M,
+        subtask(progress, 0.4, 1.0),
+    )  # fmt: skip
+    notes = metadata.notes + _eye_notes(metadata, oriented) + oriented.orientation.notes
+    return replace(
+        oriented,
+        orientation=replace(oriented.orientation, notes=notes),
+        preview=_preview(photo.pixels),
+        compass_true_deg=compass,
+    )
+
+
+def _position(request, metadata):
+    """Longitude, latitude, and whether they were given rather than read from the file."""
+    given = _usable(request.longitude_deg, request.latitude_deg)
+    recorded = _usable(metadata.longitude_deg, metadata.latitude_deg)
+    if given and not (recorded and request.prefer_photo_position):
+        return float(request.longitude_deg), float(request.latitude_deg), True
+    if recorded:
+        return metadata.longitude_deg, metadata.latitude_deg, False
+    raise MissingMetadataError("GPS position", "Give it by the geometry of a photo point layer.")
+
+
+def _usable(longitude_deg, latitude_deg):
+    if longitude_deg is None or latitude_deg is None:
+        return False
+    if not (np.isfinite(longitude_deg) and np.isfinite(latitude_deg)) or abs(latitude_deg) > 90:
+        return False
+    return (longitude_deg, latitude_deg) != (0, 0)
+
+
+def _declination_deg(metadata, longitude_deg, latitude_deg):
+    if metadata.compass_heading_deg is None or metadata.compass_reference != "M":
+        return 0.0
+    return 0.0
+
+
+def _hints(request, metadata, dem, observer, compass_deg):
+    if request.heading_deg is not None:
+        # A person's "surely within" is read as two standard deviations.
+        heading = HeadingPrior(float(request.heading_deg), max(request.heading_tolerance_deg / 2, 0.5), 0.01)
+    else:
+        heading = compass_prior(compass_deg)
+    size = metadata.width_px, metadata.height_px
+    evidence = None
+    if request.drawn_skyline is not None:
+        x_px, y_px = np.asarray(request.drawn_skyline, float).reshape(-1, 2).T
+        evidence = evidence_from_line(x_px, y_px, *size)
+    elif request.sky_mask_path is not None:
+        evidence = evidence_from_mask(read_photo(request.sky_mask_path, PREVIEW_PX).pixels, *size)
+    landmarks = tuple(_direction(hint, dem, observer) for hint in request.landmarks)
+    return Hints(heading, landmarks, evidence)
+
+
+def _direction(hint, dem, observer):
+    """Direction of a landmark's map point from the eye."""
+    plane = local_plane(observer.longitude_deg, observer.latitude_deg)
+    east, north = Transformer(WGS84, plane)(hint.longitude_deg, hint.latitude_deg)
+    elevation = hint.elevation_m
+    if elevation is None:
+        elevation = ground_elevation_m(dem, dem.frame(hint.longitude_deg, hint.latitude_deg, 1_000.0))
+    frame = dem.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
+    distance = float(np.hypot(east, north))
+    rise = elevation - apparent_drop_m(distance) - eye_elevation_m(dem, frame, observer)
+    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
+    return Landmark(hint.x_px, hint.y_px, azimuth, float(np.degrees(np.arctan2(rise, distance))), hint.sigma_px)
+
+
+def _eye_notes(metadata, oriented):
+    """Remark on a recorded altitude that contradicts the DEM."""
+    if metadata.altitude_m is None or oriented.ground_elevation_m is None:
+        return ()
+    above = metadata.altitude_m - oriented.ground_elevation_m
+    if abs(above) < 30:
+        return ()
+    side = "above" if above > 0 else "below"
+    return (f"The recorded altitude lies {abs(above):.0f} m {side} the DEM's surface; the DEM was used.",)
+
+
+def _preview(pixels):
+    height, width = pixels.shape[:2]
+    factor = min(1.0, PREVIEW_PX / max(height, width))
+    small = imaging.shrink(pixels, max(1, round(width * factor)), max(1, round(height * factor)))
+    return np.rint(small).astype(np.uint8)

@@ -1,0 +1,123 @@
+"""Robust log evidence: what a skyline row is worth in each column, for every tolerance.
+
+The evidence map gives p(row | column). A horizon that should lie at row y, known to within a Gaussian of s rows,
+and a column that is explained by something else altogether with probability e, make the likelihood ratio
+against an uninformed column
+
+    B(column, y; s) = log(1 + (1 - e) / e * H * (p(. | column) convolved with N(0, s))(y)).
+
+B is never negative and saturates: a column that the horizon does not explain costs no more than one where the
+horizon is out of the frame, and neither earns anything.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import fft
+
+EDGE_ROW = 0.5
+"""Evidence counts first terrain pixels: a boundary at row r, in pixel centres, is the upper edge of row r + 0.5."""
+
+INFORMATIVE = 1.5
+"""A column says something when its likeliest row has more than this times the flat probability."""
+
+
+@dataclass(frozen=True)
+class EvidenceOptions:
+    """How evidence becomes a score.
+
+    Attributes
+    ----------
+    outlier_share : float
+        e above: columns whose boundary is something else (cloud, tree, person).
+    finest_px, coarsest_px, levels : float, float, int
+        Tolerances for which B is tabulated, in geometric progression [pixels of the reduced picture].
+    """
+
+    outlier_share: float = 0.2
+    finest_px: float = 0.7
+    coarsest_px: float = 30.0
+    levels: int = 9
+
+    def __post_init__(self):
+        if not 0 < self.outlier_share < 1:
+            raise ValueError(f"the outlier share must lie between 0 and 1, not {self.outlier_share}")
+        if not 0 < self.finest_px < self.coarsest_px or self.levels < 2:
+            raise ValueError("tolerances must grow from finest_px > 0 over at least two levels")
+
+
+class EvidenceStack:
+    """B for a ladder of tolerances, looked up at any row and tolerance.
+
+    Parameters
+    ----------
+    probability : (h, w) array
+        p(row | column), as `model.SkylineEvidence` has it.
+    options : EvidenceOptions
+
+    Attributes
+    ----------
+    shape : tuple
+        (h, w) of the reduced picture.
+    informative : (M,) int array
+        Columns that say anything at all about the skyline.
+    """
+
+    def __init__(self, probability, options=EvidenceOptions()):
+        self.options = options
+        self.shape = probability.shape
+        self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
+        self._probability = np.asarray(probability, np.float32)
+        self.informative = np.flatnonzero(probability.max(axis=0) * self.shape[0] > INFORMATIVE)
+        self._table = self._blurred(self.tolerance_px)
+        self._log_step = np.log(self.tolerance_px[1] / self.tolerance_px[0])
+
+    def at_tolerance(self, tolerance_px):
+        """B as an (h, w) map for one tolerance [pixels of the reduced picture]."""
+        return self._blurred(np.array([tolerance_px]))[0]
+
+    def look_up(self, column, row_px, tolerance_px):
+        """B at rows between pixels and tolerances between levels.
+
+        Parameters
+        ----------
+        column : int array
+        row_px, tolerance_px : array
+            Broadcast together with `column`; NaN rows are out of the frame.
+
+        Returns
+        -------
+        array
+            B, 0 outside the picture.
+        """
+        height = self.shape[0]
+        row_px = row_px + EDGE_ROW
+        inside = (row_px >= 0) & (row_px <= height - 1)
+        row = np.where(inside, row_px, 0.0)
+        low = np.minimum(row.astype(np.intp), height - 2)
+        level = np.log(np.maximum(tolerance_px, 1e-6) / self.tolerance_px[0]) / self._log_step
+        level = np.clip(level, 0, len(self.tolerance_px) - 1)
+        tier = np.minimum(level.astype(np.intp), len(self.tolerance_px) - 2)
+        between_rows, between_tiers = row - low, level - tier
+        flat = self._table.reshape(-1)
+        width = self.shape[1]
+        first = (tier * height + low) * width + column
+        tall = height * width
+        fine = flat[first] * (1 - between_rows) + flat[first + width] * between_rows
+        wide = flat[first + tall] * (1 - between_rows) + flat[first + tall + width] * between_rows
+        return np.where(inside, fine * (1 - between_tiers) + wide * between_tiers, 0.0)
+
+    def _blurred(self, tolerance_px):
+        """B for each tolerance, (tolerances, h, w): Gaussians along the columns in the frequency domain."""
+        height, share = self.shape[0], self.options.outlier_share
+        size = fft.next_fast_len(int(height + 4 * np.max(tolerance_px)), real=True)
+        spectrum = fft.rfft(self._probability, n=size, axis=0)
+        frequency = 2 * np.pi * np.arange(spectrum.shape[0]) / size
+        table = np.empty((len(tolerance_px), *self.shape), np.float32)
+        for level, tolerance in enumerate(tolerance_px):
+            damp = np.exp(-0.5 * np.square(tolerance * frequency)).astype(np.float32)
+            blurred = fft.irfft(spectrum * damp[:, None], n=size, axis=0)[:height]
+            table[level] = np.log1p((1 - share) / share * height * np.maximum(blurred, 0))
+        return table

@@ -1,0 +1,128 @@
+"""From scores to an answer that says how sure it is: probabilities, interval, status, advice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .angles import difference, wrap_360
+from .match_calibration import CALIBRATION
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the fit knows about its answers, best first; arrays of equal length.
+
+    Attributes
+    ----------
+    heading_deg, score : (K,) arrays
+        Distinct answers and their penalised scores (prior on the heading included).
+    sigma_deg : (K,) array
+        Standard deviation of each heading: curvature of the score, DEM, position.
+    relief_deg : float
+        Spread of the horizon inside the frame about a straight line, at the best answer [degrees].
+    explained : float
+        Share of the columns that the best answer explains.
+    """
+
+    heading_deg: np.ndarray
+    score: np.ndarray
+    sigma_deg: np.ndarray
+    relief_deg: float
+    explained: float
+
+    @property
+    def gap(self):
+        """Score of the best above the second answer."""
+        return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
+
+
+@dataclass(frozen=True)
+class PosteriorOptions:
+    """Thresholds of the status.
+
+    Attributes
+    ----------
+    accept_at : float
+        Smallest p_correct of an accepted answer.
+    reject_below : float
+        p_correct below which nothing is said to fit.
+    min_relief_deg : float
+        A horizon flatter than this inside the frame cannot be matched.
+    """
+
+    accept_at: float = 0.9
+    reject_below: float = 0.15
+    min_relief_deg: float = 0.1
+
+
+def features(finding):
+    """The quantities that the calibration table weighs, in its order."""
+    top = max(float(finding.score[0]), 1e-3)
+    return np.array([min(finding.gap / top, 0.5), top, finding.explained, np.log(max(finding.relief_deg, 0.02))])
+
+
+def p_correct(finding):
+    """Probability that the best answer is within 3 degrees of the truth, by the calibration table."""
+    table = CALIBRATION
+    standard = np.clip((features(finding) - table["mean"]) / table["spread"], -3, 3)
+    return float(1 / (1 + np.exp(-(table["bias"] + standard @ table["weight"]))))
+
+
+def answer_probabilities(finding, best_probability):
+    """Share `1 - best_probability` among the other answers by their scores; the rest is 'none of them'."""
+    likelihood = np.exp(CALIBRATION["sharpness"] * (finding.score - finding.score[0]))
+    others = likelihood[1:].sum()
+    share = (1 - best_probability) * likelihood[1:] / (others + 1.0) if others > 0 else np.zeros(0)
+    return np.concatenate([[best_probability], share])
+
+
+def interval(finding, probability, mass=0.9, step_deg=0.05):
+    """Shortest arc that holds `mass` of the posterior over the circle.
+
+    The posterior is a Gaussian at each answer with its probability, and a uniform remainder.
+
+    Returns
+    -------
+    lo_deg, hi_deg : float
+        Clockwise from lo to hi [degrees].
+    """
+    heading = np.arange(0, 360, step_deg)
+    density = np.full(len(heading), max(1 - probability.sum(), 0.0) / len(heading))
+    for centre, sigma, share in zip(finding.heading_deg, finding.sigma_deg, probability):
+        kernel = np.exp(-0.5 * np.square(difference(heading, centre) / max(sigma, step_deg)))
+        density += share * kernel / kernel.sum()
+    total = np.concatenate([[0.0], np.cumsum(np.concatenate([density, density]))])
+    start = np.arange(len(heading))
+    stop = np.searchsorted(total, total[start] + mass * total[len(heading)])
+    length = np.where(stop - start <= len(heading), stop - start, len(heading))
+    # Among equally short arcs the one centred on the best answer.
+    centre = start + length / 2
+    offset = np.abs(difference(centre * step_deg, finding.heading_deg[0]))
+    first = int(np.lexsort((offset, length))[0])
+    return float(wrap_360(heading[first])), float(wrap_360(heading[first] + length[first] * step_deg))
+
+
+def verdict(finding, probability, options=PosteriorOptions()):
+    """Status and the sentence that says why and what to do."""
+    best = probability[0]
+    if finding.relief_deg < options.min_relief_deg:
+        return "rejected", (
+            "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
+        )
+    if best >= options.accept_at:
+        return "accepted", f"The horizon fits along {100 * finding.explained:.0f} % of the columns and nowhere else."
+    if best < options.reject_below:
+        return "rejected", (
+            "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, "
+            "a landmark or an approximate heading."
+        )
+    rival = f"{wrap_360(finding.heading_deg[1]):.0f} degrees" if len(finding.heading_deg) > 1 else "another heading"
+    if len(probability) > 1 and probability[1] > 0.5 * (1 - best):
+        return "ambiguous", (
+            f"{rival} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark."
+        )
+    return "ambiguous", (
+        "The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."
+    )

@@ -1,0 +1,197 @@
+"""Refinement of many candidates at once: damped Newton steps on the robust evidence.
+
+All candidates move together, as rows of one array; each has its own damping. The score of a trial is
+
+    S = mean over columns of B(column, row(trial); s) - L * (penalties on roll, focal length, distortion),
+
+with s^2 = (pixel error)^2 + (c * cell / distance * focal)^2: the DEM's own error by the distance of the horizon
+point, times a scale that each candidate chooses for itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .match_geometry import horizon_rows
+from .progress import SILENT, checkpoint
+
+PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
+"""Steps of the numerical derivatives of rows, in the order of `match_geometry.PARAMETERS`."""
+
+
+@dataclass(frozen=True)
+class RefineOptions:
+    """Weights of the fit.
+
+    Attributes
+    ----------
+    terrain_error_cells : float
+        c above: error of the horizon's height in cells; 0.25 is the median of clean photographs over 90 to 100 m
+        DEMs.
+    pixel_error_px : float
+        Error of the evidence itself [pixels of the reduced picture].
+    error_scales : tuple of float
+        Multiples of s among which each candidate takes its best.
+    effective_columns : float
+        Number of independent column groups: 1 / L.
+    roll_sigma_deg, k1_sigma : float
+        Spreads of the priors; roll has heavy tails (Student's t with 4 degrees of freedom).
+    """
+
+    terrain_error_cells: float = 0.25
+    pixel_error_px: float = 1.0
+    error_scales: tuple = (1.0, 1.5, 2.0, 3.0)
+    effective_columns: float = 33.0
+    roll_sigma_deg: float = 3.0
+    k1_sigma: float = 0.0
+
+    def __post_init__(self):
+        if not (self.terrain_error_cells > 0 and self.pixel_error_px > 0 and self.effective_columns > 0):
+            raise ValueError("errors and the number of effective columns must be positive")
+
+
+class Objective:
+    """Score of trials against one photograph's evidence.
+
+    Parameters
+    ----------
+    stack : EvidenceStack
+    camera : Camera
+        Prior camera of the reduced picture.
+    curve : HorizonCurve
+    focal_sigma : float
+        Relative spread of the prior on the focal length.
+    options : RefineOptions
+    landmarks : sequence of model.Landmark, optional
+        In pixels of the reduced picture.
+    """
+
+    def __init__(self, stack, camera, curve, focal_sigma, options=RefineOptions(), landmarks=()):
+        self.stack, self.camera, self.curve = stack, camera, curve
+        self.options, self.landmarks = options, tuple(landmarks)
+        self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, focal_sigma, options.k1_sigma])
+        self.free = self.sigma > 0
+
+    def columns(self, stride):
+        """Every `stride`-th of the picture's columns that have evidence."""
+        return self.stack.informative[stride // 2 :: stride]
+
+    def rows(self, trials, columns):
+        """Rows of the horizon and their tolerance before scaling: two (K, C) arrays [pixels]."""
+        row, azimuth = horizon_rows(self.curve, self.camera, trials, columns)
+        nearest = self.curve.nearest(azimuth)
+        focal = self.camera.focal_px * np.exp(trials[:, 3:4])
+        terrain = self.options.terrain_error_cells * self.curve.cell_m / self.curve.distance_m[nearest] * focal
+        row = np.where(self.curve.known[nearest], row, np.nan)
+        tolerance = np.sqrt(np.square(self.options.pixel_error_px) + np.square(terrain))
+        return row, tolerance * np.where(self.curve.clipped[nearest], 2.0, 1.0)
+
+    def score(self, trials, scale, stride=1):
+        """Penalised scores (K,) of (K, 5) trials; `scale` is a number or (K,)."""
+        columns = self.columns(stride)
+        row, tolerance = self.rows(trials, columns)
+        value = self.stack.look_up(columns, row, tolerance * np.reshape(scale, (-1, 1)))
+        return value.mean(axis=1) - self._penalty(trials)
+
+    def step(self, trials, scale, stride):
+        """Gradient (K, 5) and positive curvature (K, 5, 5) of the score."""
+        columns = self.columns(stride)
+        row, tolerance = self.rows(trials, columns)
+        tolerance = tolerance * np.reshape(scale, (-1, 1))
+        value = self.stack.look_up(columns, row, tolerance)
+        reach = 0.5 * tolerance
+        slope = self.stack.look_up(columns, row + reach, tolerance) - self.stack.look_up(
+            columns, row - reach, tolerance
+        )
+        slope = slope / (2 * reach)
+        # Share of the column that the horizon explains: only those columns hold the fit in place.
+        weight = (1 - np.exp(-value)) / (np.square(tolerance) + 1)
+        jacobian = np.stack([self._row_derivative(trials, row, columns, j) for j in range(len(PROBE))], axis=2)
+        usable = np.isfinite(jacobian).all(axis=2) & (value > 0)
+        jacobian = np.where(usable[..., None], jacobian, 0.0)
+        slope, weight = np.where(usable, slope, 0.0), np.where(usable, weight, 0.0)
+        gradient = np.einsum("kc,kcj->kj", slope, jacobian) / len(columns)
+        curvature = np.einsum("kc,kci,kcj->kij", weight, jacobian, jacobian) / len(columns)
+        pull, stiffness = self._penalty_derivatives(trials)
+        gradient, curvature = gradient - pull, curvature + stiffness
+        gradient[:, ~self.free] = 0.0
+        return gradient, curvature
+
+    def _row_derivative(self, trials, row, columns, parameter):
+        if not self.free[parameter]:
+            return np.zeros_like(row)
+        moved = trials.copy()
+        moved[:, parameter] += PROBE[parameter]
+        return (self.rows(moved, columns)[0] - row) / PROBE[parameter]
+
+    def _penalty(self, trials):
+        total = 2.5 * np.log1p(np.square(trials[:, 2] / self.sigma[2]) / 4)
+        for parameter in (3, 4):
+            if self.free[parameter]:
+                total = total + 0.5 * np.square(trials[:, parameter] / self.sigma[parameter])
+        return total / self.options.effective_columns
+
+    def _penalty_derivatives(self, trials):
+        pull = np.zeros_like(trials)
+        stiffness = np.zeros((len(trials), 5, 5))
+        roll = trials[:, 2] / self.sigma[2]
+        pull[:, 2] = 1.25 * roll / (1 + roll * roll / 4) / self.sigma[2]
+        stiffness[:, 2, 2] = 1.25 / (1 + roll * roll / 4) / self.sigma[2] ** 2
+        for parameter in (3, 4):
+            if self.free[parameter]:
+                pull[:, parameter] = trials[:, parameter] / self.sigma[parameter] ** 2
+                stiffness[:, parameter, parameter] = 1 / self.sigma[parameter] ** 2
+        return pull / self.options.effective_columns, stiffness / self.options.effective_columns
+
+
+def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT):
+    """Climb from every trial to a maximum of its score at one tolerance scale.
+
+    Returns
+    -------
+    trials : (K, 5) array
+    score : (K,) array
+    """
+    trials = np.array(trials, float)
+    score = objective.score(trials, scale, stride)
+    damping = np.full(len(trials), 0.1)
+    free = np.flatnonzero(objective.free)
+    for iteration in range(iterations):
+        checkpoint(progress, iteration / iterations)
+        gradient, curvature = objective.step(trials, scale, stride)
+        gradient, curvature = gradient[:, free], curvature[np.ix_(range(len(trials)), free, free)]
+        diagonal = np.einsum("kii->ki", curvature)
+        damped = curvature + np.einsum("ki,ij->kij", diagonal * damping[:, None] + 1e-9, np.eye(len(free)))
+        move = np.zeros_like(trials)
+        move[:, free] = np.linalg.solve(damped, gradient[..., None])[..., 0]
+        move = _bounded(move)
+        better = np.zeros(len(trials), bool)
+        for stretch in (1.0, 2.5):
+            moved = trials + stretch * move
+            value = objective.score(moved, scale, stride)
+            gain = value > score + 1e-7
+            trials[gain], score[gain] = moved[gain], value[gain]
+            better |= gain
+        damping = np.where(better, damping * 0.4, damping * 6)
+        if not better.any() and (damping > 50).all():
+            break
+    return trials, score
+
+
+def _bounded(move):
+    """Shorten steps that leave the neighbourhood for which the derivatives speak."""
+    limit = np.array([1.5, 1.5, 2.0, 0.02, 0.05])
+    excess = np.max(np.abs(move) / limit, axis=1, keepdims=True)
+    return move / np.maximum(excess, 1.0)
+
+
+def distinct(heading_deg, score, separation_deg):
+    """Indices of trials whose headings differ by `separation_deg` or more, best first."""
+    kept = []
+    for index in np.argsort(-np.asarray(score), kind="stable"):
+        turn = np.abs((heading_deg[kept] - heading_deg[index] + 180) % 360 - 180) if kept else np.zeros(0)
+        if (turn >= separation_deg).all():
+            kept.append(int(index))
+    return kept

@@ -1,0 +1,188 @@
+"""The robust heading search: evidence, coarse search, refinement of many candidates, posterior.
+
+Stages and measurements are described in docs/accuracy.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from .angles import wrap_360
+from .camera import Pose
+from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
+from .match_geometry import HorizonCurve
+from .match_paper import correlation
+from .match_posterior import Finding, PosteriorOptions, answer_probabilities, interval, p_correct, verdict
+from .match_prior import log_ratio
+from .match_refine import Objective, RefineOptions, distinct, refine
+from .match_search import SearchOptions, coarse_search
+from .model import Candidate, Orientation
+from .progress import SILENT, subtask
+
+
+@dataclass(frozen=True)
+class RobustOptions:
+    """All options of the robust search.
+
+    Attributes
+    ----------
+    evidence, search, refine, posterior : options of the stages
+    full_fits : int
+        Candidates that get the full fit.
+    same_answer_deg : float
+        Headings closer than this are one answer.
+    heading_floor_deg : float
+        Smallest standard deviation that a heading is credited with.
+    """
+
+    evidence: EvidenceOptions = field(default_factory=EvidenceOptions)
+    search: SearchOptions = field(default_factory=SearchOptions)
+    refine: RefineOptions = field(default_factory=RefineOptions)
+    posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
+    full_fits: int = 8
+    same_answer_deg: float = 1.5
+    heading_floor_deg: float = 0.1
+
+
+def match_robust(
+    evidence,
+    camera_prior,
+    horizon,
+    options=RobustOptions(),
+    heading_prior=None,
+    landmarks=(),
+    position_error_m=None,
+    progress=SILENT,
+):
+    """Find where a photograph looks, and say how sure that is.
+
+    Parameters
+    ----------
+    evidence : model.SkylineEvidence
+    camera_prior : model.CameraPrior
+        Lens of the full upright picture.
+    horizon : model.HorizonProfile
+    options : RobustOptions
+    heading_prior : model.HeadingPrior or None
+    landmarks : sequence of model.Landmark
+    position_error_m : float or None
+        Standard deviation of the observer's position [m]; None takes 8 m.
+    progress : Progress
+
+    Returns
+    -------
+    model.Orientation
+        Candidates are distinct answers, best first; headings clockwise from true north, pitch + upwards, roll +
+        with the right side down.
+    """
+    height, width = evidence.probability.shape
+    camera = camera_prior.camera.scaled(width, height)
+    curve = HorizonCurve(horizon)
+    stack = EvidenceStack(evidence.probability, options.evidence)
+    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine)
+    coarse = coarse_search(stack, camera, curve, evidence.probability, options.search, subtask(progress, 0.0, 0.4))
+    trials, score = _fit(objective, coarse.candidates, heading_prior, options, subtask(progress, 0.4, 1.0))
+    finding = _finding(objective, trials, score, position_error_m, options)
+    best_probability = p_correct(finding)
+    probability = answer_probabilities(finding, best_probability)
+    status, message = verdict(finding, probability, options.posterior)
+    lo, hi = interval(finding, probability)
+    full = camera_prior.camera
+    candidates = tuple(
+        Candidate(_pose(trial), _lens(full, trial), float(value), float(share))
+        for trial, value, share in zip(trials, score, probability)
+    )
+    residual, ncc = _skyline_residual(objective, trials[:1], evidence, full)
+    _, second = _skyline_residual(objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
+    return Orientation(
+        status,
+        message,
+        candidates,
+        heading_lo_deg=lo,
+        heading_hi_deg=hi,
+        p_correct=best_probability,
+        curve_heading_deg=coarse.heading_deg,
+        curve_score=coarse.score.astype(float),
+        ncc=ncc,
+        ncc_second=second,
+        residual_px=residual,
+    )
+
+
+def _fit(objective, coarse, heading_prior, options, progress):
+    """Short fits of all candidates, full fits of the best distinct ones; returns distinct trials and scores."""
+    weight = 1 / options.refine.effective_columns
+    trials = np.column_stack([coarse, np.zeros((len(coarse), 2))])
+    trials, score = refine(objective, trials, 3.0, stride=4, progress=subtask(progress, 0.0, 0.5))
+    score = score + weight * log_ratio(heading_prior, trials[:, 0])
+    kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
+    trials = trials[kept]
+    best, best_score = trials.copy(), np.full(len(trials), -np.inf)
+    scales = sorted(options.refine.error_scales, reverse=True)
+    for index, scale in enumerate(scales):
+        part = subtask(progress, 0.5 + 0.5 * index / len(scales), 0.5 + 0.5 * (index + 1) / len(scales))
+        trials, score = refine(objective, trials, scale, progress=part)
+        better = score > best_score
+        best[better], best_score[better] = trials[better], score[better]
+    best_score = best_score + weight * log_ratio(heading_prior, best[:, 0])
+    kept = distinct(best[:, 0], best_score, options.same_answer_deg)
+    best[:, 0] = wrap_360(best[:, 0])
+    return best[kept], best_score[kept]
+
+
+def _finding(objective, trials, score, position_error_m, options):
+    """Gather what the posterior needs."""
+    columns = objective.columns(1)
+    row, tolerance = objective.rows(trials, columns)
+    value = objective.stack.look_up(columns, row, tolerance * 1.5)
+    _, curvature = objective.step(trials, 1.5, 1)
+    free = np.flatnonzero(objective.free)
+    information = curvature[np.ix_(range(len(trials)), free, free)] * options.refine.effective_columns
+    covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
+    distance = np.array([_typical_distance(objective, trial, columns) for trial in trials])
+    terrain = np.degrees(options.refine.terrain_error_cells * objective.curve.cell_m / distance)
+    shift = np.degrees((8.0 if position_error_m is None else position_error_m) / distance)
+    sigma = np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + options.heading_floor_deg**2)
+    inside = np.isfinite(row[0]) & (row[0] >= 0) & (row[0] <= objective.stack.shape[0] - 1)
+    relief = _relief_px(columns[inside], row[0][inside])
+    return Finding(
+        trials[:, 0],
+        score,
+        np.minimum(sigma, 30.0),
+        float(np.degrees(relief / objective.camera.focal_px)),
+        float(np.mean(value[0] > np.log(3.0))),
+    )
+
+
+def _typical_distance(objective, trial, columns):
+    from .match_geometry import horizon_rows
+
+    _, azimuth = horizon_rows(objective.curve, objective.camera, trial[None], columns)
+    return float(np.median(objective.curve.distance_m[objective.curve.nearest(azimuth[0])]))
+
+
+def _relief_px(columns, row):
+    """Standard deviation about a straight line [pixels]."""
+    if len(columns) < 20:
+        return 0.0
+    return float(np.std(row - np.polyval(np.polyfit(columns, row, 1), columns)))
+
+
+def _pose(trial):
+    return Pose(float(wrap_360(trial[0])), float(trial[1]), float(trial[2]))
+
+
+def _lens(camera, trial):
+    return replace(camera, focal_px=float(camera.focal_px * np.exp(trial[3])), k1=float(camera.k1 + trial[4]))
+
+
+def _skyline_residual(objective, trial, evidence, full):
+    """Drawn skyline minus projected horizon (w,) [pixels of the full picture], and their NCC."""
+    columns = np.arange(objective.stack.shape[1])
+    row = objective.rows(trial, columns)[0][0]
+    best = evidence.best
+    usable = best.valid & np.isfinite(row) & (row >= 0) & (row <= objective.stack.shape[0] - 1)
+    residual = np.where(usable, best.row_px - EDGE_ROW - row, np.nan) * full.width_px / objective.stack.shape[1]
+    return residual, correlation(-np.asarray(best.row_px, float)[usable], -row[usable])

@@ -1,0 +1,181 @@
+"""Coarse search over all headings and pitches at once, by correlation of azimuth-elevation rasters.
+
+For a trial pitch and roll the evidence is resampled from the picture to relative azimuth and elevation by the
+exact pinhole. A heading is then a shift in azimuth and a small change of pitch a shift in elevation, so that the
+score of every heading is one circular correlation with the DEM's horizon drawn as a line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import fft
+from scipy.ndimage import map_coordinates
+
+from .camera import Pose, project
+from .match_evidence import EDGE_ROW
+from .progress import SILENT, checkpoint
+
+ELEVATION_RANGE_DEG = (-60.0, 85.0)
+"""Elevation angles of the raster; horizons from inside gorges rise above 50 degrees."""
+
+
+@dataclass(frozen=True)
+class SearchOptions:
+    """Grid of the coarse search.
+
+    Attributes
+    ----------
+    step_deg : float
+        Of the raster in azimuth and elevation.
+    tolerance_deg : float
+        Blur of the evidence.
+    pitch_step_deg : float
+        Between resamplings; smaller shifts of pitch come from the raster.
+    rolls_deg : tuple of float
+        Trial rolls.
+    keep, separation_deg : int, float
+        Candidates handed on and their smallest distance.
+    """
+
+    step_deg: float = 0.4
+    tolerance_deg: float = 0.3
+    pitch_step_deg: float = 3.0
+    rolls_deg: tuple = (-5.0, 0.0, 5.0)
+    keep: int = 40
+    separation_deg: float = 2.0
+
+    def __post_init__(self):
+        if not 0 < self.step_deg <= 2 or not self.rolls_deg or self.keep < 1:
+            raise ValueError(f"unusable search grid {self}")
+
+
+@dataclass(frozen=True, eq=False)
+class CoarseResult:
+    """Scores of the coarse search.
+
+    Attributes
+    ----------
+    heading_deg, score : (N,) arrays
+        Best score over pitch and roll for every heading of the grid.
+    candidates : (K, 3) array
+        Heading, pitch, roll of distinct peaks, best first [degrees].
+    """
+
+    heading_deg: np.ndarray
+    score: np.ndarray
+    candidates: np.ndarray
+
+
+def coarse_search(stack, camera, curve, probability, options=SearchOptions(), progress=SILENT):
+    """Score all headings and pitches.
+
+    Parameters
+    ----------
+    stack : EvidenceStack
+    camera : Camera
+        Of the reduced picture.
+    curve : HorizonCurve
+    probability : (h, w) array
+        p(row | column): tells which pitches are worth trying.
+
+    Returns
+    -------
+    CoarseResult
+    """
+    step = options.step_deg
+    count = int(round(360 / step))
+    heading = np.arange(count) * step
+    elevation = curve.elevation_at(heading)
+    drawn = fft.rfft(_drawn_line(elevation, step, curve.known[curve.nearest(heading)]), axis=1)
+    evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
+    pitches = _trial_pitches(probability, camera, elevation, options.pitch_step_deg)
+    best = np.full(count, -np.inf)
+    best_pitch, best_roll = np.zeros(count), np.zeros(count)
+    for index, pitch in enumerate(pitches):
+        checkpoint(progress, index / len(pitches))
+        for roll in options.rolls_deg:
+            scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, step, options.pitch_step_deg)
+            winner = scores.argmax(axis=0)
+            top = scores[winner, np.arange(count)]
+            better = top > best
+            best[better] = top[better]
+            best_pitch[better] = pitch + shifts[winner[better]] * step
+            best_roll[better] = roll
+    peaks = distinct_peaks(heading, best, options.keep, options.separation_deg)
+    candidates = np.column_stack([heading[peaks], best_pitch[peaks], best_roll[peaks]])
+    return CoarseResult(heading, best, candidates)
+
+
+def distinct_peaks(heading_deg, score, keep, separation_deg):
+    """Indices of the best headings on a regular circle, at least `separation_deg` apart, best first."""
+    remaining = np.array(score, float)
+    step = 360.0 / len(remaining)
+    reach = int(np.ceil(separation_deg / step)) - 1
+    peaks = []
+    while len(peaks) < keep:
+        peak = int(remaining.argmax())
+        if not np.isfinite(remaining[peak]):
+            break
+        peaks.append(peak)
+        remaining[np.arange(peak - reach, peak + reach + 1) % len(remaining)] = -np.inf
+    return np.array(peaks, int)
+
+
+def _drawn_line(elevation_deg, step, known):
+    """The horizon as a line one pixel wide, shared between the two nearest rows; (rows, N) float32."""
+    low, high = ELEVATION_RANGE_DEG
+    rows = int((high - low) / step)
+    position = np.clip((elevation_deg - low) / step, 0, rows - 2)
+    first = position.astype(int)
+    fraction = position - first
+    line = np.zeros((rows, len(elevation_deg)), np.float32)
+    azimuth = np.arange(len(elevation_deg))
+    line[first, azimuth] = (1 - fraction) * known
+    line[first + 1, azimuth] = fraction * known
+    return line
+
+
+def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
+    """Pitches that bring the rows with evidence onto elevations that the horizon has."""
+    mass = probability.sum(axis=1)
+    share = np.cumsum(mass) / mass.sum()
+    top, bottom = np.searchsorted(share, [0.03, 0.97])
+    _, centre_y = camera.centre_px
+    above = np.degrees(np.arctan((centre_y - top) / camera.focal_px))
+    below = np.degrees(np.arctan((centre_y - bottom) / camera.focal_px))
+    low = np.percentile(elevation_deg, 2) - above
+    high = np.percentile(elevation_deg, 98) - below
+    count = max(int(np.ceil((high - low) / pitch_step_deg)), 1)
+    return np.clip(low + (np.arange(count) + 0.5) * (high - low) / count, -60.0, 60.0)
+
+
+def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_deg):
+    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows."""
+    height, width = evidence.shape
+    half_diagonal = np.degrees(np.arctan(np.hypot(width, height) / 2 / camera.focal_px))
+    reach = int(np.ceil((half_diagonal + 1) / step))
+    offset = np.arange(-reach, reach + 1) * step
+    rows, count = drawn.shape[0], (drawn.shape[1] - 1) * 2
+    half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
+    low = ELEVATION_RANGE_DEG[0]
+    first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), 0)
+    last = min(int(np.ceil((pitch_deg + half_height + 4 - low) / step)), rows - 1)
+    elevation = low + np.arange(first, last + 1) * step
+    x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
+    y = np.nan_to_num(y + EDGE_ROW, nan=-9)
+    seen = map_coordinates(evidence, [y, np.nan_to_num(x, nan=-9)], order=1, cval=0.0)
+    # d(column)/d(azimuth): every picture column counts the same.
+    seen *= (np.radians(step) * camera.focal_px / np.cos(np.radians(offset)) ** 2 / width)[None, :]
+    raster = np.zeros((len(elevation), count), np.float32)
+    raster[:, np.arange(-reach, reach + 1) % count] = seen
+    spectrum = np.conj(fft.rfft(raster, axis=1))
+    half = int(np.ceil(pitch_step_deg / 2 / step))
+    shifts = np.arange(-half, half + 1)
+    product = np.zeros((len(shifts), spectrum.shape[1]), np.complex64)
+    for index, shift in enumerate(shifts):
+        start, stop = max(first + shift, 0), min(last + 1 + shift, rows)
+        part = slice(start - shift - first, stop - shift - first)
+        product[index] = np.einsum("ea,ea->a", drawn[start:stop], spectrum[part])
+    return fft.irfft(product, n=count, axis=1), shifts

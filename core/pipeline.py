@@ -1,0 +1,204 @@
+"""The stages in order, for one photograph: skyline, horizon, match. Arrays in, results out, no files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from .camera import Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
+from .errors import MissingMetadataError, ObserverError, SkylineNotFoundError
+from .horizon import HorizonOptions, horizon_profile
+from .match_paper import PaperMatchOptions, match_paper
+from .match_robust import RobustOptions, match_robust
+from .model import CameraPrior, HeadingPrior, Orientation, OrientedPhoto, SkylineEvidence
+from .progress import SILENT, subtask
+from .skyline_evidence import EvidenceOptions as SkylineOptions
+from .skyline_evidence import skyline_evidence
+from .skyline_paper import PaperSkylineOptions, extract_skyline_paper
+from .terrain import ground_elevation_m
+
+METHODS = ("robust", "paper")
+COMPASS_USES = ("ignore", "prior")
+
+
+@dataclass(frozen=True)
+class OrientOptions:
+    """How to orient photographs.
+
+    Attributes
+    ----------
+    method : str
+        'robust', or 'paper' for the published method with its own field of view, range and straight rays.
+    compass : str
+        'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
+    horizon, skyline, robust : options of the robust method's stages
+    paper_skyline, paper_match : options of the published method's stages
+    paper_range_m : float
+        The published search range [m].
+    """
+
+    method: str = "robust"
+    compass: str = "ignore"
+    horizon: HorizonOptions = field(default_factory=HorizonOptions)
+    skyline: SkylineOptions = field(default_factory=SkylineOptions)
+    robust: RobustOptions = field(default_factory=RobustOptions)
+    paper_skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
+    paper_match: PaperMatchOptions = field(default_factory=PaperMatchOptions)
+    paper_range_m: float = 15_000.0
+
+    def __post_init__(self):
+        if self.method not in METHODS or self.compass not in COMPASS_USES:
+            raise ValueError(f"method must be one of {METHODS} and compass one of {COMPASS_USES}, not {self}")
+
+    @property
+    def horizon_of_method(self):
+        """Horizon options of the chosen method."""
+        if self.method == "robust":
+            return self.horizon
+        reach = min(self.paper_range_m, self.horizon.max_distance_m)
+        return replace(self.horizon, max_distance_m=reach, curvature=False, near_skip_cells=1.0)
+
+
+@dataclass(frozen=True)
+class Hints:
+    """What a person adds where the picture alone does not decide; all optional.
+
+    Attributes
+    ----------
+    heading : HeadingPrior or None
+        Approximate heading.
+    landmarks : tuple of Landmark
+        Pixels of the full picture with the direction of their map points.
+    evidence : SkylineEvidence or None
+        From a drawn skyline or a sky mask; replaces the extraction.
+    """
+
+    heading: HeadingPrior | None = None
+    landmarks: tuple = ()
+    evidence: SkylineEvidence | None = None
+
+
+def camera_prior(metadata, hfov_deg=None, focal_sigma=0.025):
+    """What is known of the lens before the fit.
+
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+    hfov_deg : float or None
+        Horizontal field of view of the upright picture, where it is given [degrees]; else the 35 mm equivalent by
+        the diagonal rule.
+    focal_sigma : float
+        Relative spread; EXIF focal lengths were found up to 4 % off.
+
+    Raises
+    ------
+    MissingMetadataError
+    """
+    width, height = metadata.width_px, metadata.height_px
+    if hfov_deg is not None:
+        focal = focal_of_fov_px(width, hfov_deg)
+    elif metadata.focal_length_35mm is not None:
+        focal = focal_from_35mm_px(width, height, metadata.focal_length_35mm)
+    else:
+        raise MissingMetadataError(
+            "focal length (35 mm equivalent)", "Give the horizontal field of view in HFOV_FIELD."
+        )
+    return CameraPrior(Camera(width, height, focal), focal_sigma)
+
+
+def orient_photo(
+    photo,
+    terrain,
+    observer,
+    prior,
+    options=OrientOptions(),  # noqa: B008 - frozen
+    hints=Hints(),  # noqa: B008 - frozen
+    horizon=None,
+    position_error_m=None,
+    progress=SILENT,
+):
+    """Find where one photograph looks.
+
+    Parameters
+    ----------
+    photo : Photo
+        Pixels full or reduced; the paper's method wants them full.
+    terrain : Terrain
+    observer : Observer
+    prior : CameraPrior
+        See `camera_prior`.
+    options : OrientOptions
+    hints : Hints
+    horizon : HorizonProfile or None
+        Of this observer, where a photo of the same station has it already.
+    position_error_m : float or None
+        Standard deviation of the position [m].
+    progress : Progress
+
+    Returns
+    -------
+    OrientedPhoto
+
+    Raises
+    ------
+    PhotoError
+        No horizon at this position.
+    """
+    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
+    if horizon is None:
+        horizon = horizon_profile(terrain, observer, options.horizon_of_method, subtask(progress, 0.0, 0.4))
+    solve = _by_paper if options.method == "paper" else _robustly
+    rest = subtask(progress, 0.4, 1.0)
+    try:
+        orientation, skyline, evidence = solve(photo, prior, horizon, options, hints, position_error_m, rest)
+    except SkylineNotFoundError as error:
+        orientation, skyline, evidence = Orientation("rejected", str(error)), None, None
+    best = orientation.best
+    return OrientedPhoto(
+        photo.metadata.path,
+        orientation,
+        metadata=photo.metadata,
+        camera=prior.camera if best is None else best.camera,
+        skyline=skyline,
+        evidence=evidence,
+        horizon=horizon,
+        longitude_deg=observer.longitude_deg,
+        latitude_deg=observer.latitude_deg,
+        eye_elevation_m=horizon.eye_elevation_m,
+        ground_elevation_m=_ground(terrain, frame),
+        convergence_deg=frame.convergence_deg,
+    )
+
+
+def _robustly(photo, prior, horizon, options, hints, position_error_m, progress):
+    metadata = photo.metadata
+    evidence = hints.evidence
+    if evidence is None:
+        evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
+    orientation = match_robust(
+        evidence,
+        prior,
+        horizon,
+        options.robust,
+        hints.heading,
+        hints.landmarks,
+        position_error_m,
+        subtask(progress, 0.4, 1.0),
+    )
+    return orientation, evidence.best, evidence
+
+
+def _by_paper(photo, prior, horizon, options, hints, position_error_m, progress):
+    metadata = photo.metadata
+    skyline = extract_skyline_paper(photo.pixels, options.paper_skyline)
+    if metadata.focal_length_35mm is None:
+        fov = prior.camera.hfov_deg, prior.camera.vfov_deg
+    else:
+        fov = paper_fov_deg(metadata.width_px, metadata.height_px, metadata.focal_length_35mm)
+    return match_paper(skyline, *fov, horizon, options.paper_match, subtask(progress, 0.5, 1.0)), skyline, None
+
+
+def _ground(terrain, frame):
+    try:
+        return ground_elevation_m(terrain, frame)
+    except ObserverError:  # an eye elevation was given above a void
+        return None
