@@ -72,5 +72,9 @@ class MissingPackageError(SkylineViewshedError):
     """An optional package is needed for this one feature and is not installed."""
 
 
+class OutputError(SkylineViewshedError):
+    """A result cannot be written: no such folder, read-only, disk full."""
+
+
 class Cancelled(BaseException):
     """The user stopped the run. Not an error, and no handler of errors swallows it."""

@@ -7,7 +7,9 @@ finds nothing hands over to the next; damaged metadata is no reason to refuse a 
 
 from __future__ import annotations
 
+import logging
 import re
+import warnings
 
 from ..optional import available
 from .gdal_quiet import open_quietly
@@ -71,6 +73,7 @@ def _by_exifread(path, kind):
     exifread = available("exifread")
     if exifread is None:
         return {}
+    _silence("exifread")
     try:
         with open(path, "rb") as file:
             found = exifread.process_file(file, details=False)
@@ -84,15 +87,24 @@ def _by_exifread(path, kind):
     return _normal(raw)
 
 
+def _silence(name):
+    """Keep a library's log messages off stderr where the host has not asked for them."""
+    logger = logging.getLogger(name)
+    if not logger.handlers:
+        logger.addHandler(logging.NullHandler())
+
+
 def _by_pillow(path, kind):
     pil = available("PIL.Image")
     if pil is None:
         return {}
     try:
-        exif = _pillow_exif(pil, path, kind)
-        directories = {"Image": dict(exif)}
-        for name, pointer in IFD_POINTERS.items():
-            directories[name] = exif.get_ifd(pointer)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # "Corrupt EXIF data"
+            exif = _pillow_exif(pil, path, kind)
+            directories = {"Image": dict(exif)}
+            for name, pointer in IFD_POINTERS.items():
+                directories[name] = exif.get_ifd(pointer)
         raw = {tag: directories[key[0]][key[1]] for key, tag in TAGS.items() if key[1] in directories[key[0]]}
     except Exception:  # Pillow's plugins meet damaged files with SyntaxError, struct.error, OSError, ...
         return {}

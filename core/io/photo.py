@@ -6,7 +6,8 @@ import os
 
 import numpy as np
 
-from ..errors import SkylineViewshedError, UnreadablePhotoError
+from ..errors import SkylineViewshedError
+from ..imaging import shrink
 from ..model import Photo, PhotoMetadata
 from .exif import read_tags
 from .formats import format_of, is_photo_name
@@ -74,10 +75,7 @@ def read_photo(path, max_side_px=None):
     """
     path = os.fspath(path)
     kind = format_of(path)
-    try:
-        pixels, size = decode(path, kind, max_side_px)
-    except MemoryError:
-        raise UnreadablePhotoError(path, "it is too large for this computer's memory. Reduce the picture.") from None
+    pixels, size = decode(path, kind, max_side_px)
     metadata = _metadata(path, kind, size)
     if max_side_px is not None and max(size) > max_side_px:
         pixels = _reduced(pixels, size, max_side_px)
@@ -98,30 +96,8 @@ def _upright(pixels, orientation):
 
 
 def _reduced(pixels, size, max_side_px):
-    """Area-average to `max_side_px`; `size` is the full picture's, of which `pixels` may be a reduced decoding."""
+    """Area-average a picture whose full size is `size` to `max_side_px`; one channel at a time spares memory."""
     factor = max_side_px / max(size)
     width, height = (max(round(side * factor), 1) for side in size)
-    # A decoder that reduces by s gives ceil(side / s) pixels: the last one may reach beyond the picture.
-    shrink = max(round(max(size) / max(pixels.shape[:2])), 1)
-    rows = area_weights(pixels.shape[0], size[1] / shrink, height)
-    columns = area_weights(pixels.shape[1], size[0] / shrink, width)
-    result = np.empty((height, width, 3), np.uint8)
-    for channel in range(3):
-        plane = columns @ (rows @ pixels[:, :, channel].astype(np.float32)).T
-        result[:, :, channel] = np.clip(np.rint(plane.T), 0, 255)
-    return result
-
-
-def area_weights(count, extent, bins):
-    """Sparse (bins, count) matrix that averages `count` pixels over equal bins of the first `extent` pixels."""
-    from scipy.sparse import csr_matrix
-
-    edges = np.linspace(0, min(extent, count), bins + 1)
-    first = np.minimum(np.floor(edges[:-1]).astype(int), count - 1)
-    span = int(np.ceil(edges[1] - edges[0])) + 1
-    index = first[:, None] + np.arange(span)
-    overlap = np.minimum(index + 1, edges[1:, None]) - np.maximum(index, edges[:-1, None])
-    weight = np.clip(overlap, 0, None) * (index < count)
-    weight /= weight.sum(axis=1, keepdims=True)
-    row = np.repeat(np.arange(bins), span)
-    return csr_matrix((weight.ravel().astype(np.float32), (row, np.minimum(index, count - 1).ravel())), (bins, count))
+    planes = [shrink(np.ascontiguousarray(pixels[:, :, channel]), width, height) for channel in range(3)]
+    return np.rint(np.stack(planes, axis=-1)).astype(np.uint8)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
 from ..errors import UnreadablePhotoError
@@ -27,23 +29,33 @@ def stored_size(path, kind):
 
 
 def decode(path, kind, max_side_px=None):
-    """Decode to uint8 (H, W, 3) RGB, without applying any EXIF orientation.
+    """Decode to RGB, without applying any EXIF orientation.
 
     Parameters
     ----------
     path, kind : str
     max_side_px : int or None
-        A hint that fewer pixels suffice: JPEG may come reduced by 2, 4 or 8, but never below twice this.
+        A hint that fewer pixels suffice: JPEG may come averaged by 2, 4 or 8 where that divides the picture's sides,
+        but never below twice this.
+
+    Returns
+    -------
+    pixels : uint8 (H, W, 3) array
+    size : (int, int)
+        Width and height of the full picture [pixels].
 
     Raises
     ------
     UnreadablePhotoError
     """
     size = stored_size(path, kind)
-    for decoder in (_decode_heif if kind == "heif" else _decode_pillow, _decode_gdal):
-        pixels = decoder(path, kind, max_side_px)
-        if pixels is not None:
-            return pixels, size
+    try:
+        for decoder in (_decode_heif if kind == "heif" else _decode_pillow, _decode_gdal):
+            pixels = decoder(path, kind, max_side_px)
+            if pixels is not None:
+                return pixels, size
+    except MemoryError:
+        raise UnreadablePhotoError(path, "it is too large for this computer's memory. Reduce the picture.") from None
     raise _undecodable(path, kind)
 
 
@@ -66,7 +78,7 @@ def _pillow_size(path, kind):
     if available("PIL.Image") is None:
         return None
     try:
-        with _open_pillow(path, kind) as picture:
+        with warnings.catch_warnings(), _open_pillow(path, kind) as picture:
             return picture.size
     except Exception:  # plugins meet damaged files with SyntaxError, struct.error, OSError, ...
         return None
@@ -76,16 +88,26 @@ def _decode_pillow(path, kind, max_side_px):
     if available("PIL.Image") is None:
         return None
     try:
-        with _open_pillow(path, kind) as picture:
+        with warnings.catch_warnings(), _open_pillow(path, kind) as picture:
+            warnings.simplefilter("ignore")
             if picture.mode.startswith(("I", "F")):
                 return None  # deeper than 8 bit: GDAL keeps the values
-            if max_side_px is not None and kind == "jpeg":
-                shrink = max(picture.size) / (2 * max_side_px)
-                if shrink > 1:
-                    picture.draft(None, (int(picture.width / shrink), int(picture.height / shrink)))
+            if kind == "jpeg" and max_side_px is not None:
+                step = _draft_step(picture.size, max_side_px)
+                picture.draft(None, (picture.width // step, picture.height // step))
             return np.asarray(picture.convert("RGB"))
-    except Exception:
+    except MemoryError:
+        raise
+    except Exception:  # see _pillow_size
         return None
+
+
+def _draft_step(size, max_side_px):
+    """By how much libjpeg may average: an exact divisor, since otherwise its last pixels reach beyond the picture."""
+    for step in (8, 4, 2):
+        if size[0] % step == size[1] % step == 0 and max(size) >= 2 * step * max_side_px:
+            return step
+    return 1
 
 
 def _heif_size(path, kind):
@@ -105,6 +127,8 @@ def _decode_heif(path, kind, max_side_px):
     try:
         picture = heif.open_heif(path, convert_hdr_to_8bit=True)
         pixels = np.asarray(picture)
+    except MemoryError:
+        raise
     except Exception:
         return None
     return _rgb(pixels)
@@ -119,13 +143,13 @@ def _decode_gdal(path, kind, max_side_px):
     dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
     if dataset is None:
         return None
-    with quiet_gdal() as messages:
+    with quiet_gdal(warnings=True) as messages:
         try:
             bands = dataset.ReadAsArray()
         except RuntimeError:
             return None
-    if bands is None or messages:
-        return None
+    if bands is None or any("remature end" in text for text in messages):
+        return None  # libjpeg would paint the missing part grey
     return _rgb(bands if bands.ndim == 2 else np.moveaxis(bands, 0, -1))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from contextlib import contextmanager
 
 import numpy as np
 from osgeo import gdal
@@ -13,7 +12,7 @@ from ..errors import UnusableDemError
 from ..frame import tabulate_frame
 from ..terrain import Window
 from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
-from .gdal_quiet import open_quietly, quiet_gdal
+from .gdal_quiet import open_quietly, quiet_gdal, small_cache
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Values beyond are fill values (-32768, -3.4e38, 1e20, ...), tagged or not: no place on Earth lies there."""
@@ -26,7 +25,6 @@ METRES_PER_UNIT = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 /
 """By the band's unit; all others are metres."""
 
 STRIP_BYTES = 16 * 2**20
-CACHE_BYTES = 64 * 2**20
 
 LOWLAND_M = 100.0
 """Terrain of which 99 % lies above this has no sea, so that zeros along its edges are missing data."""
@@ -121,7 +119,7 @@ class Dem:
             raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
         out = np.empty((window.rows, window.cols), np.float32)
         strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)
-        with _small_cache():
+        with small_cache():
             for start in range(0, window.rows if window.cols else 0, strip_rows):
                 strip = out[start : start + strip_rows]
                 self._read_strip(window.col, window.row + start, strip)
@@ -243,16 +241,3 @@ def _area(longitude_deg, latitude_deg, reach_deg):
         float(wrap_180(longitude_deg + across)),
         float(north),
     )
-
-
-@contextmanager
-def _small_cache():
-    """Hold GDAL's block cache small while a window passes through, and leave it as the host had it."""
-    before = gdal.GetCacheMax()
-    if before > CACHE_BYTES:
-        gdal.SetCacheMax(CACHE_BYTES)
-    try:
-        yield
-    finally:
-        if before > CACHE_BYTES:
-            gdal.SetCacheMax(before)

@@ -1,0 +1,192 @@
+"""Write GeoTIFFs on the grid of an elevation model, in strips, whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from contextlib import contextmanager, suppress
+
+import numpy as np
+from osgeo import gdal
+
+from ..errors import OutputError
+from ..terrain import Window
+from .crs import local_plane, spatial_reference
+from .gdal_quiet import quiet_gdal, small_cache
+
+GDAL_TYPES = {
+    "uint8": gdal.GDT_Byte,
+    "int16": gdal.GDT_Int16,
+    "uint16": gdal.GDT_UInt16,
+    "int32": gdal.GDT_Int32,
+    "float32": gdal.GDT_Float32,
+}
+BLOCK_PX = 256
+DEM_NODATA = -9999.0
+
+
+@contextmanager
+def new_raster(path, grid, window=None, *, dtype="float32", bands=1, nodata=None, descriptions=(), metadata=None):
+    """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
+
+    Parameters
+    ----------
+    path : str
+    grid : object
+        With `shape`, `crs_wkt` and `geotransform`: a `Dem`.
+    window : Window or None
+        Part of the grid that the file covers; None for all of it.
+    dtype : str
+        'uint8', 'int16', 'uint16', 'int32' or 'float32'.
+    bands : int
+    nodata : float or None
+    descriptions : sequence of str
+        One per band.
+    metadata : dict or None
+        Names and texts for the file's header.
+
+    Yields
+    ------
+    RasterFile
+
+    Raises
+    ------
+    OutputError
+        The folder is missing or read-only, the disk is full, ...
+    """
+    path = os.fspath(path)
+    window = window or Window(0, 0, *grid.shape)
+    part = os.path.join(os.path.dirname(path), f".skyline-{secrets.token_hex(6)}.part")
+    try:
+        with quiet_gdal() as messages, small_cache():
+            file = None
+            try:
+                file = RasterFile(path, _create(part, window, dtype, bands), messages)
+                file._describe(grid, window, nodata, descriptions, metadata or {})
+                yield file
+                file._close()
+            finally:
+                if file is not None:
+                    file._dataset = None
+            os.replace(part, path)
+    except (RuntimeError, OSError) as error:
+        raise _output_error(path, messages, error) from None
+    finally:
+        for leftover in (part, part + ".aux.xml"):
+            with suppress(OSError):
+                os.remove(leftover)
+
+
+def _create(part, window, dtype, bands):
+    predictor = 3 if dtype == "float32" else 2
+    options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "COMPRESS=DEFLATE"]
+    options += [f"PREDICTOR={predictor}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
+    dataset = gdal.GetDriverByName("GTiff").Create(part, window.cols, window.rows, bands, GDAL_TYPES[dtype], options)
+    if dataset is None:
+        raise OSError("cannot be created")
+    return dataset
+
+
+def _output_error(path, messages, error):
+    reason = "; ".join(dict.fromkeys(messages)) or getattr(error, "strerror", None) or str(error)
+    folder = os.path.dirname(path) or "."
+    if not os.path.isdir(folder):
+        reason = f"the folder {folder} does not exist"
+    elif not os.access(folder, os.W_OK):
+        reason = f"the folder {folder} is read-only"
+    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
+
+
+class RasterFile:
+    """A GeoTIFF in the making, as `new_raster` gives it."""
+
+    def __init__(self, path, dataset, messages):
+        self.path, self._dataset, self._messages = path, dataset, messages
+
+    def write(self, values, row=0, col=0, band=1):
+        """Write a (rows, cols) block; best in strips of a multiple of `BLOCK_PX` rows."""
+        target = self._dataset.GetRasterBand(band)
+        for start in range(0, values.shape[0], 16 * BLOCK_PX):
+            strip = np.ascontiguousarray(values[start : start + 16 * BLOCK_PX])
+            if target.WriteArray(strip, col, row + start) != gdal.CE_None:
+                raise OSError("the disk may be full")
+
+    def _describe(self, grid, window, nodata, descriptions, metadata):
+        x0, dx, _, y0, _, dy = grid.geotransform
+        self._dataset.SetGeoTransform((x0 + window.col * dx, dx, 0.0, y0 + window.row * dy, 0.0, dy))
+        self._dataset.SetSpatialRef(spatial_reference(grid.crs_wkt))
+        if metadata:
+            self._dataset.SetMetadata({str(key): str(value) for key, value in metadata.items()})
+        for number in range(1, self._dataset.RasterCount + 1):
+            band = self._dataset.GetRasterBand(number)
+            if nodata is not None:
+                band.SetNoDataValue(float(nodata))
+            if number <= len(descriptions):
+                band.SetDescription(descriptions[number - 1])
+
+    def _close(self):
+        self._dataset.FlushCache()
+        self._dataset = None  # GDAL writes the directory now; what fails is only told in the messages
+        if self._messages:
+            raise OSError("it was not written completely")
+
+
+def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(), metadata=None):
+    """Write a whole array as a tiled, compressed GeoTIFF on a DEM's grid.
+
+    Parameters
+    ----------
+    path : str
+    values : (R, C) or (B, R, C) array
+        bool, uint8, int16, uint16, int32 or float32; bool becomes uint8, float64 becomes float32.
+    grid, window, nodata, descriptions, metadata
+        See `new_raster`; the array has the window's size.
+
+    Raises
+    ------
+    OutputError
+    """
+    values = np.asarray(values)
+    values = values.astype({"bool": np.uint8, "float64": np.float32}.get(values.dtype.name, values.dtype), copy=False)
+    bands = values if values.ndim == 3 else values[None]
+    expected = grid.shape if window is None else (window.rows, window.cols)
+    if bands.shape[1:] != tuple(expected) or values.dtype.name not in GDAL_TYPES:
+        raise ValueError(f"{values.shape} {values.dtype} does not suit a window of {expected} cells")
+    options = {"nodata": nodata, "descriptions": descriptions, "metadata": metadata}
+    with new_raster(path, grid, window, dtype=values.dtype.name, bands=len(bands), **options) as file:
+        for number, band in enumerate(bands, start=1):
+            file.write(band, band=number)
+
+
+def write_dem(path, elevation_m, cell_m, longitude_deg=0.0, latitude_deg=0.0):
+    """Write synthetic terrain (`core.terrain.ArrayTerrain`) as a GeoTIFF that GDAL and QGIS place on the Earth.
+
+    Parameters
+    ----------
+    path : str
+    elevation_m : (R, C) array
+        Row 0 is the northernmost; NaN is written as -9999 [m].
+    cell_m : float
+        Side of a cell [m].
+    longitude_deg, latitude_deg : float
+        WGS 84 position of the array's centre [degrees].
+
+    Notes
+    -----
+    The CRS is azimuthal equidistant around the centre: distances and azimuths from the centre are the array's. Seen
+    from an observer d off the centre, scale changes by less than (d / R)^2 / 2 and the columns turn from true north by
+    (d_east / R) tan(latitude), as meridians do: 0.05 degrees at 5 km and 46 degrees, nothing on the equator.
+    `ArrayTerrain.pixel_of`, a plate carree on a sphere, agrees at the centre and departs by up to 0.7 % of the
+    distance from it; so give photographs the positions of `Dem.position_of`.
+    """
+    elevation_m = np.asarray(elevation_m, np.float32)
+    grid = _CentredGrid(elevation_m.shape, cell_m, longitude_deg, latitude_deg)
+    values = np.where(np.isfinite(elevation_m), elevation_m, np.float32(DEM_NODATA))
+    write_raster(path, values, grid, nodata=DEM_NODATA, descriptions=["elevation [m]"])
+
+
+class _CentredGrid:
+    def __init__(self, shape, cell_m, longitude_deg, latitude_deg):
+        rows, cols = self.shape = shape
+        self.crs_wkt = spatial_reference(local_plane(float(longitude_deg), float(latitude_deg))).ExportToWkt()
+        self.geotransform = (-cols / 2 * cell_m, cell_m, 0.0, rows / 2 * cell_m, 0.0, -cell_m)
