@@ -75,9 +75,10 @@ class LocalFrame:
         if self.remainder_px is not None:
             size = self.remainder_px.shape[-1]
             to_index = (size - 1) / (2 * self.radius_m)
-            index = np.array([(north_m + self.radius_m) * to_index, (east_m + self.radius_m) * to_index])
-            col = col + map_coordinates(self.remainder_px[0], index, order=1, mode="nearest")
-            row = row + map_coordinates(self.remainder_px[1], index, order=1, mode="nearest")
+            index = np.stack([np.ravel(north_m + self.radius_m), np.ravel(east_m + self.radius_m)]) * to_index
+            shape = np.shape(col)  # map_coordinates refuses single places without a dimension
+            col = col + map_coordinates(self.remainder_px[0], index, order=1, mode="nearest").reshape(shape)
+            row = row + map_coordinates(self.remainder_px[1], index, order=1, mode="nearest").reshape(shape)
         return col, row
 
     def to_local(self, col_px, row_px, iterations=3):
