@@ -85,7 +85,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
 
     def input_fault(self, parameters, context):
         """Sentence about the first input that cannot work, or None."""
-        return None
+        return
 
     def processAlgorithm(self, parameters, context, feedback):
         """Run, and say a core error as QGIS's."""

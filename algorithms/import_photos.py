@@ -19,7 +19,8 @@ from qgis.PyQt.QtCore import QDateTime
 from ..core.camera import Camera, focal_from_35mm_px
 from ..core.errors import PhotoError
 from ..core.progress import checkpoint
-from . import fields, parameters as shared
+from . import fields
+from . import parameters as shared
 from .base import SkylineAlgorithm
 from .feedback import FeedbackProgress, announce
 from .i18n import tr

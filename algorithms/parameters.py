@@ -91,7 +91,7 @@ def dem(name="DEM"):
 def band(name="BAND", parent="DEM"):
     """Band of the elevation model."""
     return explained(
-        advanced(QgsProcessingParameterBand(name, tr("DEM band"), 1, parent)), tr("Band that holds the heights.")
+        advanced(QgsProcessingParameterBand(name, tr("DEM band"), 1, parent, True)), tr("Band that holds the heights.")
     )
 
 
@@ -170,8 +170,8 @@ def refraction(default):
         tr("Refraction coefficient"),
         default,
         tr("Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied."),
-        minimum=-1.0,
-        maximum=1.0,
+        minimum=0.0,
+        maximum=0.99,
     )
 
 

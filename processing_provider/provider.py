@@ -12,7 +12,10 @@ from qgis.PyQt.QtGui import QIcon
 ROOT = Path(__file__).resolve().parent.parent
 PROVIDER_ID = "skylineviewshed"
 
-ALGORITHMS = (("import_photos", "ImportPhotos"),)
+ALGORITHMS = (
+    ("import_photos", "ImportPhotos"),
+    ("orient_photos", "OrientPhotos"),
+)
 """(module under `algorithms`, class), in the order of the work."""
 
 

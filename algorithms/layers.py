@@ -1,0 +1,148 @@
+"""Reading photo points: position, path and numbers of each feature."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeature,
+    QgsProcessingException,
+    QgsProviderRegistry,
+)
+
+from .fields import is_null, number_or_none
+from .i18n import tr
+
+PATH_FIELDS = ("photo", "path", "filepath", "file", "relpath", "image", "filename")
+"""Where other importers keep the path; the first that the layer has is taken when no field is chosen."""
+
+
+@dataclass(frozen=True)
+class PointRow:
+    """One feature of a point layer.
+
+    Attributes
+    ----------
+    feature : QgsFeature
+    name : str
+        For messages: the photo's name, or the feature's number.
+    longitude_deg, latitude_deg : float or None
+        WGS 84 [degrees]; None without a usable geometry.
+    path : str or None
+        Of the photograph.
+    numbers : dict
+        Value of each field asked for; None where NULL.
+    """
+
+    feature: QgsFeature
+    name: str
+    longitude_deg: float | None
+    latitude_deg: float | None
+    path: str | None = None
+    numbers: dict[str, Any] = field(default_factory=dict)
+
+
+def read_points(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=()):
+    """Read the features of a point parameter, the selected ones where the user asked for those.
+
+    Parameters
+    ----------
+    path_field : str or None
+        Name of the parameter that holds the path's field; None for layers without photographs.
+    number_fields : sequence of str
+        Names of field parameters; a NULL or an empty choice gives None.
+
+    Returns
+    -------
+    source : QgsProcessingFeatureSource
+    rows : list of PointRow
+    """
+    source = algorithm.parameterAsSource(parameters, name, context)
+    if source is None:
+        raise QgsProcessingException(algorithm.invalidSourceError(parameters, name))
+    to_wgs84 = wgs84_transform(source, context)
+    column = None if path_field is None else path_column(algorithm, parameters, context, source, path_field)
+    columns = {key: algorithm.parameterAsString(parameters, key, context) for key in number_fields}
+    folders = () if column is None else base_folders(algorithm, parameters, context, name)
+    rows = []
+    for feature in source.getFeatures():
+        longitude, latitude = position_of(feature, to_wgs84)
+        path = None if column is None else absolute_path(feature[column], folders)
+        label = Path(path).name if path else tr("Point {id}").format(id=feature.id())
+        values = {key: number_or_none(feature[field]) if field else None for key, field in columns.items()}
+        rows.append(PointRow(feature, label, longitude, latitude, path, values))
+    if not rows:
+        raise QgsProcessingException(tr("The layer of points has no feature. Choose another, or clear the selection."))
+    return source, rows
+
+
+def wgs84_transform(source, context):
+    """Transformation of a source's coordinates to longitude and latitude."""
+    if not source.sourceCrs().isValid():
+        raise QgsProcessingException(
+            tr("The point layer has no coordinate reference system. Assign the right one in the layer's properties.")
+        )
+    wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
+    return QgsCoordinateTransform(source.sourceCrs(), wgs84, context.transformContext())
+
+
+def position_of(feature, to_wgs84):
+    """Longitude and latitude of a feature [degrees], or (None, None)."""
+    geometry = feature.geometry()
+    if geometry.isNull() or geometry.isEmpty():
+        return None, None
+    point = geometry.centroid().asPoint()
+    try:
+        point = to_wgs84.transform(point)
+    except QgsCsException:
+        return None, None
+    # 0/0 is what cameras and importers write that have no position.
+    if point.isEmpty() or (point.x() == 0 and point.y() == 0) or abs(point.y()) > 90:
+        return None, None
+    return point.x(), point.y()
+
+
+def path_column(algorithm, parameters, context, source, name):
+    """Field with the photo's path: as chosen, else the first of `PATH_FIELDS` that the layer has."""
+    chosen = algorithm.parameterAsString(parameters, name, context)
+    names = {field.name().lower(): field.name() for field in source.fields()}
+    if chosen and chosen.lower() in names:
+        return names[chosen.lower()]
+    for candidate in PATH_FIELDS:
+        if candidate in names and (not chosen or chosen == "photo"):
+            return names[candidate]
+    raise QgsProcessingException(
+        tr("The layer has no field {field}. Choose the field that holds the photographs' paths.").format(field=chosen)
+    )
+
+
+def base_folders(algorithm, parameters, context, name):
+    """Folders from which a relative path may count: the layer's, then the project's."""
+    folders = []
+    layer = algorithm.parameterAsVectorLayer(parameters, name, context)
+    if layer is not None and layer.dataProvider() is not None:
+        parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+        if parts.get("path"):
+            folders.append(Path(parts["path"]).parent)
+    project = context.project()
+    if project is not None and project.homePath():
+        folders.append(Path(project.homePath()))
+    return tuple(folders)
+
+
+def absolute_path(value, folders):
+    """Full path of a photo, or None for NULL."""
+    if is_null(value):
+        return None
+    path = Path(str(value))
+    if path.is_absolute():
+        return str(path)
+    for folder in folders:
+        if (folder / path).exists():
+            return str(folder / path)
+    return str(path)

@@ -1,0 +1,110 @@
+"""Photo points and a DEM -> points with heading, pitch, roll, and how sure that is."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessingOutputNumber
+
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .i18n import tr
+from .layers import read_points
+from .orientation import (
+    NUMBER_FIELDS,
+    add_field_parameters,
+    add_terrain_parameters,
+    options_of,
+    orient_each,
+    oriented_fields,
+    oriented_row,
+    requests_of,
+    summary,
+)
+from .oriented import oriented_specs
+from .outputs import write_features
+from .reporting import PhotoReport
+from .rescue import add_rescue_parameters
+from .styling import style_on_completion
+
+
+class OrientPhotos(SkylineAlgorithm):
+    """Find heading, pitch and roll of each photograph from its skyline and the DEM's horizon."""
+
+    ID = "orientphotos"
+    GROUP_ID = "photographs"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Orient photos")
+
+    def tags(self):
+        """Search words."""
+        return tr("photo,heading,azimuth,direction,orientation,pose,skyline,horizon,compass,pitch,roll").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Heading, pitch and roll of mountain photographs from their skyline and a DEM")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Compares the skyline in each photograph with the horizon that the elevation model has at its "
+                "position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed."
+            ),
+            tr(
+                "<b>status</b>: <i>accepted</i> (trust it), <i>ambiguous</i> (another heading is nearly as good; see "
+                "heading_2 and the report), <i>rejected</i> (no usable skyline or nothing fits), <i>failed</i> (the "
+                "input is at fault); <b>message</b> says why and what to do. heading_lo and heading_hi enclose the "
+                "true heading with 90 %."
+            ),
+            tr(
+                "Headings count clockwise from true north. A point's geometry is the camera's position. For photos "
+                "that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced)."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        self.addParameter(shared.photo_source())
+        self.addParameter(shared.photo_field())
+        self.addParameter(shared.dem())
+        self.addParameter(shared.band())
+        self.addParameter(shared.method())
+        self.addParameter(shared.compass())
+        add_field_parameters(self)
+        add_terrain_parameters(self)
+        add_rescue_parameters(self)
+        self.addParameter(shared.points_out("OUTPUT", tr("Oriented photos")))
+        self.addParameter(shared.report_out())
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
+        self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def run(self, parameters, context, feedback):
+        """Orient photo by photo, then write."""
+        source, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
+        options = options_of(self, parameters, context)
+        requests = requests_of(self, parameters, context, rows)
+        fields, kept = oriented_fields(source)
+        report = PhotoReport(self, parameters, context, options)
+        features, statuses = [], []
+        for row, oriented in zip(rows, orient_each(requests, self.dem.open(), options, feedback, (0.0, 0.95))):
+            features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
+            statuses.append(oriented.orientation.status)
+            report.add(oriented)
+        feedback.pushInfo(summary(statuses))
+        output = write_features(
+            self, parameters, "OUTPUT", context, fields, source.wkbType(), source.sourceCrs(), features
+        )
+        style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
+        results = {"OUTPUT": output, "COUNT": len(statuses), "ACCEPTED": statuses.count("accepted")}
+        return {**results, **report.write(feedback)}

@@ -1,0 +1,141 @@
+"""Orienting the photographs of a layer: the parameters, the requests, the loop. Two algorithms share it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..core.errors import Cancelled
+from ..core.horizon import HorizonOptions
+from ..core.progress import subtask
+from . import parameters as shared
+from .feedback import FeedbackProgress, announce, warn
+from .fields import joined_fields
+from .i18n import tr
+from .oriented import oriented_specs, oriented_values
+from .rescue import Rescue
+
+NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
+DEFAULT_TOLERANCE_DEG = 20.0
+
+
+def add_field_parameters(algorithm):
+    """Declare the fields that may replace what the file or the DEM say."""
+    algorithm.addParameter(
+        shared.advanced(
+            shared.number_field(
+                "HFOV_FIELD",
+                tr("Field with the horizontal field of view (°)"),
+                tr("Of the upright picture, across its middle. NULL: from the focal length in the file."),
+            )
+        )
+    )
+    algorithm.addParameter(
+        shared.advanced(
+            shared.number_field(
+                "HEIGHT_FIELD",
+                tr("Field with the camera's elevation (m)"),
+                tr("Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height."),
+            )
+        )
+    )
+
+
+def add_terrain_parameters(algorithm):
+    """Declare camera height, range and refraction."""
+    defaults = HorizonOptions()
+    for parameter in (
+        shared.eye_height(),
+        shared.max_distance(defaults.max_distance_m),
+        shared.refraction(defaults.refraction_coefficient),
+    ):
+        algorithm.addParameter(shared.advanced(parameter))
+
+
+def options_of(algorithm, parameters, context):
+    """Options of the core from the parameters."""
+    from ..core.pipeline import OrientOptions
+
+    horizon = HorizonOptions(
+        max_distance_m=algorithm.parameterAsDouble(parameters, "MAX_DISTANCE", context),
+        refraction_coefficient=algorithm.parameterAsDouble(parameters, "REFRACTION", context),
+    )
+    return OrientOptions(
+        method=shared.METHODS[algorithm.parameterAsEnum(parameters, "METHOD", context)],
+        compass=shared.COMPASS_USES[algorithm.parameterAsEnum(parameters, "COMPASS", context)],
+        horizon=horizon,
+    )
+
+
+def requests_of(algorithm, parameters, context, rows):
+    """One `PhotoRequest` per row; None where the row names no photo."""
+    rescue = Rescue(algorithm, parameters, context)
+    eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+    return [None if row.path is None else request_of(row, rescue, eye_height_m) for row in rows]
+
+
+def request_of(row, rescue, eye_height_m):
+    """What is known of one photo."""
+    from ..core.batch import PhotoRequest
+
+    tolerance = row.numbers.get("TOLERANCE_FIELD")
+    return PhotoRequest(
+        row.path,
+        longitude_deg=row.longitude_deg,
+        latitude_deg=row.latitude_deg,
+        eye_elevation_m=row.numbers.get("HEIGHT_FIELD"),
+        eye_height_m=eye_height_m,
+        hfov_deg=row.numbers.get("HFOV_FIELD"),
+        heading_deg=row.numbers.get("HEADING_HINT_FIELD"),
+        heading_tolerance_deg=DEFAULT_TOLERANCE_DEG if tolerance is None else tolerance,
+        **rescue.of(row.path),
+    )
+
+
+def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
+    """Orient one request after the other and yield each `OrientedPhoto`.
+
+    A photo's fault becomes a status and a warning; cancelling says how far the run came and raises `Cancelled`.
+    """
+    from ..core.batch import HorizonCache, orient_request
+
+    cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
+    for index, request in enumerate(requests):
+        name = tr("A point without a photo") if request is None else Path(request.path).name
+        announce(feedback, name, index, len(requests))
+        part = subtask(progress, index / len(requests), (index + 1) / len(requests))
+        try:
+            oriented = without_photo() if request is None else orient_request(request, dem, options, cache, part)
+        except Cancelled:
+            feedback.pushWarning(
+                tr("Cancelled after {done} of {count} photos.").format(done=index, count=len(requests))
+            )
+            raise
+        answer = oriented.orientation
+        if answer.status in ("failed", "rejected"):
+            warn(feedback, name, answer.message)
+        yield oriented
+
+
+def without_photo():
+    """Answer for a point whose path is NULL."""
+    from ..core.model import Orientation, OrientedPhoto
+
+    return OrientedPhoto("", Orientation("failed", tr("The point names no photo. Fill its path field.")))
+
+
+def oriented_row(row, kept, oriented, max_distance_m):
+    """Geometry and attributes of an output feature: what the source had, then ours."""
+    attributes = row.feature.attributes()
+    geometry = row.feature.geometry() if row.feature.hasGeometry() else None
+    return geometry, [attributes[index] for index in kept] + oriented_values(oriented, max_distance_m)
+
+
+def oriented_fields(source):
+    """Fields of the output and the indices of the source's that stay."""
+    return joined_fields(source.fields(), oriented_specs())
+
+
+def summary(statuses):
+    """Counts by status, in a sentence."""
+    parts = [f"{statuses.count(status)} {status}" for status in ("accepted", "ambiguous", "rejected", "failed")]
+    return tr("{count} photos: {parts}.").format(count=len(statuses), parts=", ".join(parts))
