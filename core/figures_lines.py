@@ -1,0 +1,120 @@
+"""The lines of an overlay, in pixels of the full upright picture: extracted skyline and projected DEM horizons."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .angles import difference
+from .camera import project
+
+OUTSIDE = 0.25
+"""Share of the picture's size by which a line may leave it before it is cut."""
+
+
+@dataclass(frozen=True, eq=False)
+class OverlayLine:
+    """A line over a picture.
+
+    Attributes
+    ----------
+    x_px, y_px : (N,) arrays
+        Points in pixels of the full upright picture; NaN breaks the line.
+    doubtful : (N,) bool array
+        Where the line is a lower bound or a guess: the DEM's edge or a void for a horizon, no believable boundary for
+        a skyline.
+    """
+
+    x_px: np.ndarray
+    y_px: np.ndarray
+    doubtful: np.ndarray
+
+    def part(self, doubtful):
+        """(x, y) of the doubtful or of the firm stretches, the rest NaN."""
+        keep = self.doubtful == doubtful
+        # A stretch takes its last neighbour along, so that firm and doubtful ones join.
+        keep = keep | np.r_[False, keep[:-1]] if doubtful else keep
+        return np.where(keep, self.x_px, np.nan), np.where(keep, self.y_px, np.nan)
+
+
+def horizon_line(horizon, camera, pose):
+    """Project a DEM horizon into the picture of a camera.
+
+    Parameters
+    ----------
+    horizon : HorizonProfile
+    camera : Camera
+        Of the full upright picture.
+    pose : Pose
+
+    Returns
+    -------
+    OverlayLine
+        From left to right by azimuth about the heading; directions behind the camera, far outside the frame, or
+        without a known horizon break it.
+    """
+    azimuth = np.asarray(horizon.azimuth_deg, float)
+    turn = difference(azimuth, pose.heading_deg)
+    order = np.argsort(turn, kind="stable")
+    x, y = project(camera, pose, azimuth[order], np.asarray(horizon.elevation_deg, float)[order])
+    doubtful = (np.asarray(horizon.clipped, bool) | np.asarray(horizon.void, bool))[order]
+    margin_x, margin_y = OUTSIDE * camera.width_px, OUTSIDE * camera.height_px
+    with np.errstate(invalid="ignore"):
+        near = (x > -margin_x) & (x < camera.width_px + margin_x)
+        near &= (y > -margin_y) & (y < camera.height_px + margin_y)
+    near = _with_neighbours(near) & np.isfinite(x) & np.isfinite(y)
+    return _trimmed(np.where(near, x, np.nan), np.where(near, y, np.nan), doubtful)
+
+
+def skyline_line(skyline, width_px, height_px):
+    """Bring an extracted skyline to pixels of the full upright picture of `width_px` x `height_px`."""
+    row = np.asarray(skyline.row_px, float)
+    x = (np.arange(len(row)) + 0.5) * (width_px / skyline.width_px) - 0.5
+    y = (row + 0.5) * (height_px / skyline.height_px) - 0.5
+    return OverlayLine(x, y, ~np.asarray(skyline.valid, bool))
+
+
+def photo_lines(photo):
+    """All lines of an `OrientedPhoto`.
+
+    Returns
+    -------
+    extracted : OverlayLine or None
+    horizons : list of OverlayLine
+        Of the best answer and up to two alternatives, best first; empty without a DEM horizon or an answer.
+    """
+    extracted = None
+    if photo.skyline is not None:
+        extracted = skyline_line(photo.skyline, *full_size(photo))
+    horizons = []
+    if photo.horizon is not None:
+        horizons = [
+            horizon_line(photo.horizon, candidate.camera, candidate.pose)
+            for candidate in photo.orientation.candidates[:3]
+        ]
+    return extracted, horizons
+
+
+def full_size(photo):
+    """(width, height) of the full upright picture [pixels], from the best source an `OrientedPhoto` has."""
+    if photo.camera is not None:
+        return photo.camera.width_px, photo.camera.height_px
+    if photo.metadata is not None:
+        return photo.metadata.width_px, photo.metadata.height_px
+    if photo.preview is not None:
+        return photo.preview.shape[1], photo.preview.shape[0]
+    if photo.skyline is not None:
+        return photo.skyline.width_px, photo.skyline.height_px
+    raise ValueError("the photo has neither camera, metadata, preview nor skyline")
+
+
+def _with_neighbours(mask):
+    return mask | np.r_[False, mask[:-1]] | np.r_[mask[1:], False]
+
+
+def _trimmed(x, y, doubtful):
+    """Drop unknown points except one between known stretches."""
+    known = np.isfinite(x)
+    keep = known | np.r_[False, known[:-1]]
+    return OverlayLine(x[keep], y[keep], doubtful[keep])

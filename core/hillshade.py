@@ -1,0 +1,72 @@
+"""Shaded relief."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, exaggeration=1.0):
+    """Brightness of a matt surface lit from one direction.
+
+    Parameters
+    ----------
+    elevation_m : (R, C) array
+        Row 0 is the northernmost [m]; NaN where unknown.
+    cell_size_m : float or (float, float)
+        Ground size of a cell along a row and along a column [m].
+    azimuth_deg : float
+        Of the light, clockwise from grid north [degrees]; north-west is the custom of maps.
+    altitude_deg : float
+        Of the light above the horizon [degrees].
+    exaggeration : float
+        Factor on the heights.
+
+    Returns
+    -------
+    (R, C) float32 array
+        Cosine of the angle between surface and light, 0 to 1; NaN exactly where the elevation is.
+
+    Notes
+    -----
+    A neighbour that is unknown or outside is replaced by the reflection of the opposite one through the cell
+    (the slope goes on), or by the cell itself where both are missing.
+
+    References
+    ----------
+    .. [1] Horn, B. K. P., Hill shading and the reflectance map, Proc. IEEE 69(1), 1981,
+       doi:10.1109/PROC.1981.11918.
+    """
+    elevation = np.asarray(elevation_m, np.float32)
+    cell_x, cell_y = np.broadcast_to(np.asarray(cell_size_m, float), 2)
+    if not (cell_x > 0 and cell_y > 0):
+        raise ValueError(f"cell sizes must be positive, not {cell_size_m}")
+    if elevation.size == 0:
+        return elevation.copy()
+    east, south = _horn_gradient(elevation)
+    east, south = east * (exaggeration / (8 * cell_x)), south * (exaggeration / (8 * cell_y))
+    light, height = np.radians(azimuth_deg), np.radians(altitude_deg)
+    # The surface's upward normal is (-dz/dx, -dz/dy, 1); y points north, rows run south.
+    facing = -east * np.sin(light) + south * np.cos(light)
+    shade = (np.sin(height) + np.cos(height) * facing) / np.sqrt(1 + east**2 + south**2)
+    return np.where(np.isfinite(elevation), np.clip(shade, 0, 1), np.nan).astype(np.float32)
+
+
+def _horn_gradient(elevation):
+    """Eight times the rise per cell to the east and to the south, by Horn's 1-2-1 weights."""
+    padded = np.pad(elevation, 1, constant_values=np.nan)
+
+    def neighbour(down, right):
+        rows, cols = elevation.shape
+        near = padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
+        far = padded[1 - down : 1 - down + rows, 1 - right : 1 - right + cols]
+        near = np.where(np.isfinite(near), near, 2 * elevation - far)
+        return np.where(np.isfinite(near), near, elevation)
+
+    east, south = np.zeros_like(elevation), np.zeros_like(elevation)
+    for down in (-1, 0, 1):
+        for right in (-1, 0, 1):
+            if down or right:
+                value = neighbour(down, right)
+                east += right * (2 - abs(down)) * value
+                south += down * (2 - abs(right)) * value
+    return east, south

@@ -1,0 +1,84 @@
+"""The frame of a report: one HTML file that needs nothing else, and forbids itself to load anything.
+
+A Content-Security-Policy names the hashes of our own style sheet and script and allows pictures from data URLs: even
+if a hostile text got past the escaping, a browser would neither run nor fetch it.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+
+from .draw_svg import STYLE
+from .draw_text import escape
+
+_HERE = Path(__file__).parent
+
+
+def page_head(title, class_="report"):
+    """Begin a page: everything up to and including the opening body tag."""
+    style, script = _assets()
+    policy = (
+        f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        '<meta name="color-scheme" content="light dark"><meta name="referrer" content="no-referrer">'
+        f"<title>{escape(title)}</title><style>{style}</style></head>\n<body class={class_!r} id='top'>\n"
+    )
+
+
+def page_tail(software=""):
+    """End a page with the program's name, the script, and the closing tags."""
+    made_by = f"Made by {escape(software)}. " if software else ""
+    return (
+        f'<footer class="page quiet">{made_by}This page is complete in itself and loads nothing from a network. '
+        f"Keys: j next photo, k previous.</footer>\n<script>{_assets()[1]}</script>\n</body></html>\n"
+    )
+
+
+def parameter_panel(parameters):
+    """Fold-out list of a run's parameters; a mapping inside the mapping becomes a group of its own."""
+    if not parameters:
+        return ""
+    loose = {label: value for label, value in parameters.items() if not isinstance(value, Mapping)}
+    groups = [("Run", loose)] if loose else []
+    groups += [(label, value) for label, value in parameters.items() if isinstance(value, Mapping)]
+    tables = "".join(fact_table(title, [(str(a), _words(b)) for a, b in group.items()]) for title, group in groups)
+    return (
+        '<details class="panel"><summary>Parameters, DEM and software</summary>'
+        f'<div class="numbers">{tables}</div></details>'
+    )
+
+
+def fact_table(title, rows):
+    """A titled two-column table of plain words, escaped here."""
+    body = "".join(
+        f"<tr><td>{escape(label)}</td><td><bdi>{escape(words, 2000)}</bdi></td></tr>" for label, words in rows
+    )
+    return f"<section><h3>{escape(title)}</h3><table>{body}</table></section>"
+
+
+def data_url(payload, kind):
+    """Bytes of a picture ('jpeg', 'png') as a data URL."""
+    return f"data:image/{kind};base64,{base64.b64encode(payload).decode('ascii')}"
+
+
+def _assets():
+    style = STYLE + (_HERE / "report.css").read_text(encoding="utf-8")
+    return style, (_HERE / "report.js").read_text(encoding="utf-8")
+
+
+def _hash(text):
+    return base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")
+
+
+def _words(value):
+    if value is None:
+        return "–"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
