@@ -1,0 +1,110 @@
+"""Which blocks of a band can matter: those that could rise above the lowest ray that passes them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+BAND = 16
+"""Lines per band and cells per block, aligned to the raster so that no way of reading it changes the result."""
+
+LOW = np.float32(-1e30)
+"""Elevation that never obstructs and is never seen: beyond the raster's edge."""
+
+NEVER, CLOSED = np.float32(-1e9), np.float32(1e9)
+"""Tangents of a ray that nothing obstructs yet, and of one outside the sector."""
+
+CHUNK = 16
+"""Rays whose minimum is taken together."""
+
+
+class Blocks:
+    """The blocks of one band, their bounds and the rays that pass them.
+
+    Attributes
+    ----------
+    active : (n,) int array
+        Blocks that must be looked at.
+    first_ray, last_ray : (n,) int arrays
+        Rays that touch them, with a margin.
+    """
+
+    def __init__(self, sweep, k, cells, start):
+        self.sweep = sweep
+        options, quarter = sweep.options, sweep.quarter
+        top, void = _highest(cells)
+        count = len(top)
+        low = start + BAND * np.arange(count) - 1 - quarter.origin_along
+        first, last = self._rays_between(k, low, low + BAND + 1)
+        rays = len(sweep.u)
+        touched = (last >= 0) & (first < rays)
+        first, last = np.clip(first, 0, rays - 1), np.clip(last, 0, rays - 1)
+        nearest, farthest = self._distances(k, low + (BAND + 1) / 2)
+        lowest = range_minimum(sweep.highest, first, last)
+        height = top.astype(np.float64) + (options.target_height_m - options.eye_m)
+        bound = np.where(height >= 0, height / nearest, height / farthest) - options.drop_per_m2 * nearest
+        matters = (bound + 1e-6 * (1 + np.abs(bound)) >= lowest) | void | sweep.sink.wants_clearance
+        matters &= touched & (nearest <= options.max_distance_m) & (lowest < CLOSED)
+        self.active = np.flatnonzero(matters)
+        self.first_ray, self.last_ray = first[self.active], last[self.active]
+
+    def rays(self):
+        """Open rays of the active blocks, and for every ray its place among them (or its left neighbour's)."""
+        size = len(self.sweep.u)
+        change = np.bincount(self.first_ray, minlength=size + 1) - np.bincount(self.last_ray + 1, minlength=size + 1)
+        chosen = (np.cumsum(change)[:size] > 0) & self.sweep.open
+        compact = np.cumsum(chosen) - 1
+        return np.flatnonzero(chosen), np.clip(compact, 0, max(int(compact[-1]) - 1, 0))
+
+    def _rays_between(self, k, low, high):
+        """First and last ray that passes each block somewhere, with two to spare; may lie off the list."""
+        sweep, quarter = self.sweep, self.sweep.quarter
+        u_low = np.minimum(low / k[0], low / k[-1])
+        u_high = np.maximum(high / k[0], high / k[-1])
+        if not quarter.plane:
+            lines = [quarter.bend.line(k[0]), quarter.bend.line(k[-1])]
+            bends = [quarter.bend.along(line, quarter.bend.place(u)) for line in lines for u in (u_low, u_high)]
+            u_low = u_low + np.minimum.reduce(bends)
+            u_high = u_high + np.maximum.reduce(bends)
+        limit = 4.0 * len(sweep.u)
+        first = np.clip((u_low - sweep.u_first) / sweep.spacing, -limit, limit)
+        last = np.clip((u_high - sweep.u_first) / sweep.spacing, -limit, limit)
+        return np.floor(first).astype(np.intp) - 2, np.ceil(last).astype(np.intp) + 2
+
+    def _distances(self, k, centre):
+        """Ground distances that enclose each block [m]."""
+        quarter = self.sweep.quarter
+        middle = (k[0] + k[-1]) / 2
+        w = centre / middle
+        distance = middle * quarter.rho_m(w)
+        if not quarter.plane:
+            distance = distance * (1 + quarter.stretch.along(quarter.stretch.line(middle), quarter.stretch.place(w)))
+        half = 0.6 * ((BAND + 2) * quarter.side_m[0] + (k[-1] - k[0] + 1) * quarter.side_m[1])
+        return np.maximum(distance - half, 1e-3), distance + half
+
+
+def _highest(cells):
+    """Highest known elevation of each block, and which blocks have voids."""
+    top = cells.max(axis=0)
+    void = np.isnan(top)
+    if void.any():
+        top = np.fmax.reduce(cells, axis=0)
+        top[np.isnan(top)] = LOW
+    top = top.reshape(-1, BAND).max(axis=1)
+    return top, void.reshape(-1, BAND).any(axis=1)
+
+
+def range_minimum(values, first, last):
+    """Minimum of `values[first:last + 1]` for many ranges, rounded outwards to whole chunks.
+
+    A sparse table over the chunks' minima: each range is covered by two overlapping powers of two.
+    """
+    padded = np.full(-(-len(values) // CHUNK) * CHUNK, CLOSED, values.dtype)
+    padded[: len(values)] = values
+    tables = [padded.reshape(-1, CHUNK).min(axis=1)]
+    first, last = first // CHUNK, last // CHUNK
+    level = np.frexp((last - first + 1).astype(float))[1] - 1
+    for step in range(int(level.max(initial=0))):
+        table = tables[-1]
+        tables.append(np.minimum(table, np.append(table[1 << step :], np.full(min(1 << step, len(table)), CLOSED))))
+    stack = np.array(tables)
+    return np.minimum(stack[level, first], stack[level, last - (1 << level) + 1])

@@ -1,0 +1,303 @@
+"""The sweep: every cell of a quarter compared once with the line of sight that passes it.
+
+Rays leave the observer so densely that they are a cell apart at the far end. Line by line outwards, each ray is
+sampled between the two cells of the line that it passes and keeps its highest tangent so far; a cell is seen if its
+own tangent reaches that of the two rays beside it, interpolated. Nothing is marked along rays, so no cell is left out.
+
+Most terrain is hidden behind nearer ridges, and there neither cells nor rays change anything. So lines are taken in
+bands, bands are cut into blocks, and a block is looked at only if its highest cell could reach above the lowest ray
+that passes it. This drops 70 to 95 % of the work and nothing of the result.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .angles import difference
+from .progress import checkpoint
+from .terrain import Window
+from .viewshed_blocks import BAND, CLOSED, LOW, NEVER, Blocks
+from .viewshed_geometry import Table, shares
+
+SLAB = 256
+"""Lines read at once; slabs start at its multiples, as the tiles of usual files do."""
+
+VISIBLE, UNKNOWN = 1, 255
+
+
+@dataclass(frozen=True)
+class SweepOptions:
+    """What the sweep needs to know beyond geometry.
+
+    Attributes
+    ----------
+    eye_m : float
+        Elevation of the eye [m].
+    drop_per_m2 : float
+        Apparent drop over distance squared [1/m].
+    target_height_m : float
+        Added to the cell that is looked at, not to what obstructs [m].
+    min_distance_m, max_distance_m : float
+        Cells nearer or farther are left 0; nearer ground still obstructs [m].
+    near_skip_cells : float
+        Ground nearer than this many lines does not obstruct [cells].
+    rays_per_cell : float
+        Density of the rays at the far end.
+    voids_block : bool
+        Cells seen across a void become unknown; otherwise voids are taken for holes in the obstruction.
+    """
+
+    eye_m: float
+    drop_per_m2: float
+    target_height_m: float
+    min_distance_m: float
+    max_distance_m: float
+    near_skip_cells: float
+    rays_per_cell: float
+    voids_block: bool
+
+
+class QuarterSweep:
+    """State and steps of one quarter's sweep."""
+
+    def __init__(self, terrain, quarter, window, k_max, sector, options, sink):
+        self.terrain, self.quarter, self.window, self.k_max = terrain, quarter, window, k_max
+        self.sector, self.options, self.sink = sector, options, sink
+        spacing = 1.0 / max(k_max * options.rays_per_cell, 8.0)
+        count = int(np.ceil((quarter.u_max - quarter.u_min) / spacing)) + 3
+        self.u_first, self.spacing = quarter.u_min - spacing, spacing
+        self.u = (self.u_first + spacing * np.arange(count)).astype(np.float32)
+        self.highest = np.full(count, NEVER)
+        azimuth = quarter.azimuth_deg(self.u)
+        self.open = sector.touches(azimuth, 2 * float(np.abs(difference(azimuth[1:], azimuth[:-1])).max()))
+        self.highest[~self.open] = CLOSED
+        self.crossed_void = np.zeros(count, bool)
+        self.rho = quarter.rho_m(self.u).astype(np.float32)
+        if not quarter.plane:
+            self.ray_place = quarter.ray_bend.place(self.u)
+        self.along_whole = int(np.floor(quarter.origin_along))
+        self.along_part = np.float32(quarter.origin_along - self.along_whole)
+
+    def run(self, progress):
+        """Sweep the quarter outwards, slab by slab."""
+        if not self.open.any():
+            return
+        for lines in self._slabs():
+            k_last = abs(lines[-1] - self.quarter.origin_line)
+            checkpoint(progress, min(1.0, (k_last / self.k_max) ** 2))
+            slab = self._read(lines)
+            if slab is not None:
+                self._sweep_slab(lines, *slab)
+
+    def _slabs(self):
+        """Lines of the quarter, outwards, in groups that start at multiples of `SLAB`."""
+        first, count = self._extent(self.quarter.by_rows)
+        sign, origin = self.quarter.sign, self.quarter.origin_line
+        if sign > 0:
+            start = max(int(np.floor(origin)) + 1, first)
+            edges = [start, *range((start // SLAB + 1) * SLAB, first + count, SLAB), first + count]
+            edges = [edge for edge in edges if edge <= first + count]
+            pairs = zip(edges[:-1], edges[1:])
+            return [np.arange(a, b) for a, b in pairs if b > a]
+        start = min(int(np.ceil(origin)) - 1, first + count - 1)
+        edges = [start + 1, *range((start // SLAB) * SLAB, first, -SLAB), first]
+        return [np.arange(a - 1, b - 1, -1) for a, b in zip(edges[:-1], edges[1:]) if a > b]
+
+    def _extent(self, of_rows):
+        window = self.window
+        return (window.row, window.rows) if of_rows else (window.col, window.cols)
+
+    def _read(self, lines):
+        """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes."""
+        low, high = self._along_range(np.abs(lines[[0, -1]] - self.quarter.origin_line))
+        first, count = self._extent(not self.quarter.by_rows)
+        start = (max(low, first - 1) - 1) // BAND * BAND
+        stop = -(-(min(high, first + count) + 2) // BAND) * BAND
+        inner, end = max(start, first), min(stop, first + count)
+        if inner >= end:
+            return None
+        top = int(min(lines[0], lines[-1]))
+        by_rows = self.quarter.by_rows
+        window = Window(top, inner, len(lines), end - inner) if by_rows else Window(inner, top, end - inner, len(lines))
+        cells = np.full((len(lines), stop - start), LOW, np.float32)
+        place = cells[:: self.quarter.sign, inner - start : end - start]
+        values = self.terrain.read(window)
+        if by_rows:
+            place[...] = values
+        else:
+            for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
+                place[:, row : row + 512] = values[row : row + 512].T
+        return cells, start
+
+    def _along_range(self, k):
+        """Columns (rows) between which the open rays cross the lines `k`: whole pixels (low, high)."""
+        rays = np.flatnonzero(self.open)
+        ends = rays[[0, -1]]
+        w = self.u[ends][None, :] + np.zeros((len(k), 1))
+        if not self.quarter.plane:
+            place = tuple(part[ends] for part in self.ray_place)
+            w = w + self.quarter.ray_bend.at(k, place)
+        j = w * np.asarray(k)[:, None]
+        return (
+            int(np.floor(j.min() + self.quarter.origin_along)) - 2,
+            int(np.ceil(j.max() + self.quarter.origin_along)) + 2,
+        )
+
+    def _sweep_slab(self, lines, cells, start):
+        bands = self._bands(lines)
+        result = np.zeros(cells.shape, self.sink.dtype)
+        for part in bands:
+            self._sweep_band(lines[part], cells[part], start, result[part])
+        first, count = self._extent(not self.quarter.by_rows)
+        inner, end = max(start, first), min(start + cells.shape[1], first + count)
+        values = result[:: self.quarter.sign, inner - start : end - start]
+        top = int(min(lines[0], lines[-1]))
+        if self.quarter.by_rows:
+            self.sink.add(Window(top, inner, len(lines), end - inner), values)
+        else:
+            self.sink.add(Window(inner, top, end - inner, len(lines)), values.T)
+
+    @staticmethod
+    def _bands(lines):
+        """Slices of a slab's lines that lie in one band each."""
+        change = np.flatnonzero(np.diff(lines // BAND)) + 1
+        edges = [0, *change, len(lines)]
+        return [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
+
+    def _sweep_band(self, lines, cells, start, result):
+        """Find the blocks that matter, then sample their rays and judge their cells."""
+        k = np.abs(lines - self.quarter.origin_line)
+        blocks = Blocks(self, k, cells, start)
+        if not len(blocks.active):
+            return
+        rays, compact = blocks.rays()
+        if len(rays) < 2:
+            return
+        before, crossed = self._sample_rays(k, cells, start, rays)
+        self._judge_cells(k, cells, start, blocks.active, before, crossed, compact, result)
+
+    def _sample_rays(self, k, cells, start, rays):
+        """Raise the chosen rays; give their highest tangent before each line, and whether a void lies before it."""
+        options = self.options
+        k32 = k.astype(np.float32)[:, None]
+        position = self.u[rays] * k32
+        distance = self.rho[rays] * k32
+        if not self.quarter.plane:
+            place = tuple(part[rays] for part in self.ray_place)
+            position += self.quarter.ray_bend.at(k, place) * k32
+            distance *= 1 + self.quarter.ray_stretch.at(k, place)
+        position += self.along_part
+        low = np.floor(position)
+        position -= low
+        width = cells.shape[1]
+        index = low.astype(np.intp)
+        index += self.along_whole - start
+        np.clip(index, 0, width - 2, out=index)
+        index += (np.arange(len(k)) * width)[:, None]
+        flat = cells.reshape(-1)
+        tangent = flat.take(index)
+        index += 1
+        position *= flat.take(index) - tangent
+        tangent += position
+        tangent -= np.float32(options.eye_m)
+        tangent /= distance
+        distance *= np.float32(options.drop_per_m2)
+        tangent -= distance
+        tangent[k < options.near_skip_cells] = NEVER
+        before = np.empty((len(k) + 1, len(rays)), np.float32)
+        before[0] = self.highest[rays]
+        crossed = None
+        unknown = np.isnan(tangent)
+        if unknown.any():
+            tangent[unknown] = NEVER
+        if unknown.any() or self.crossed_void.any():
+            crossed = np.logical_or.accumulate(np.vstack([self.crossed_void[None, rays], unknown]), axis=0)
+            self.crossed_void[rays] = crossed[-1]
+        before[1:] = tangent
+        np.maximum.accumulate(before, axis=0, out=before)
+        self.highest[rays] = before[-1]
+        return before, crossed
+
+    def _judge_cells(self, k, cells, start, active, before, crossed, compact, result):
+        options, quarter = self.options, self.quarter
+        along = (active[:, None] * BAND + np.arange(BAND)).reshape(-1)
+        count = len(k)
+        elevation = cells.reshape(count, -1, BAND)[:, active].reshape(count, -1)
+        k32 = k.astype(np.float32)[:, None]
+        j = (along + (start - self.along_whole)).astype(np.float32) - self.along_part
+        w = j / k32
+        distance = _length(quarter.to_metres.astype(np.float32), j, k32)
+        ray = w - np.float32(self.u_first)
+        if not quarter.plane:
+            place = quarter.bend.place(j / np.float32(k.mean()))
+            ray += quarter.bend.at(k, place)
+            distance *= 1 + quarter.stretch.at(k, place)
+        ray *= np.float32(1 / self.spacing)
+        index = ray.astype(np.intp)
+        np.clip(index, 0, len(self.u) - 2, out=index)
+        ray -= index
+        np.clip(ray, 0, 1, out=ray)
+        index = compact.take(index)
+        index += (np.arange(count) * before.shape[1])[:, None]
+        flat = before.reshape(-1)
+        limit = flat.take(index)
+        ray *= flat.take(index + 1) - limit
+        limit += ray
+        tangent = elevation + np.float32(options.target_height_m - options.eye_m)
+        tangent /= distance
+        tangent -= distance * np.float32(options.drop_per_m2)
+        mine = self._mine(along + start, k, distance)
+        if self.sink.wants_clearance:
+            value = np.where(mine, (tangent - limit) * distance, np.float32(0))
+            self._scatter(result, active, value)
+            return
+        seen = tangent >= limit
+        seen &= mine
+        value = seen.astype(np.uint8)
+        if crossed is not None:
+            across = crossed.reshape(-1).take(index) | crossed.reshape(-1).take(index + 1)
+            if options.voids_block:
+                value[seen & across] = UNKNOWN
+        unknown = np.isnan(elevation)
+        if unknown.any():
+            value[unknown & mine] = UNKNOWN
+        if self.sector.selective:
+            self._select(value, along + start, k, w, distance, tangent)
+        self._scatter(result, active, value)
+
+    def _mine(self, along, k, distance):
+        """Cells of this quarter within the range of distances."""
+        mine = self.quarter.owns(along - self.quarter.origin_along, k[:, None])
+        if distance.max() > self.options.max_distance_m:
+            mine &= distance <= self.options.max_distance_m
+        if distance.min() < self.options.min_distance_m:
+            mine &= distance >= self.options.min_distance_m
+        return mine
+
+    def _select(self, value, along, k, w, distance, tangent):
+        """Ask the sector about the cells that are seen or unknown."""
+        line, cell = np.nonzero(value)
+        u = w[line, cell].astype(np.float64)
+        if not self.quarter.plane:
+            place = self.quarter.bend.place(u)
+            low, high = (Table.along(self.quarter.bend.line(end), place) for end in (k[0], k[-1]))
+            u = u + low + (high - low) * shares(k)[line]
+        azimuth = self.quarter.azimuth_deg(u)
+        accepted = self.sector.accepts(azimuth, np.degrees(np.arctan(tangent[line, cell])), distance[line, cell])
+        value[line[~accepted], cell[~accepted]] = 0
+
+    @staticmethod
+    def _scatter(result, active, value):
+        result.reshape(len(value), -1, BAND)[:, active] = value.reshape(len(value), -1, BAND)
+
+
+def _length(to_metres, j, k):
+    """Length of (j, k) on the plane grid at the observer [m]."""
+    (a, b), (c, d) = to_metres
+    east, north = a * j + b * k, c * j + d * k
+    east *= east
+    north *= north
+    east += north
+    return np.sqrt(east, out=east)
