@@ -47,7 +47,7 @@ class PointRow:
     numbers: dict[str, Any] = field(default_factory=dict)
 
 
-def read_points(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=()):
+def read_points(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=(), needs_position=True):
     """Read the features of a point parameter, the selected ones where the user asked for those.
 
     Parameters
@@ -56,6 +56,8 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
         Name of the parameter that holds the path's field; None for layers without photographs.
     number_fields : sequence of str
         Names of field parameters; a NULL or an empty choice gives None.
+    needs_position : bool
+        False where the place does not matter, so that a table without geometry serves too.
 
     Returns
     -------
@@ -65,13 +67,13 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
     source = algorithm.parameterAsSource(parameters, name, context)
     if source is None:
         raise QgsProcessingException(algorithm.invalidSourceError(parameters, name))
-    to_wgs84 = wgs84_transform(source, context)
+    to_wgs84 = wgs84_transform(source, context) if needs_position else None
     column = None if path_field is None else path_column(algorithm, parameters, context, source, path_field)
     columns = {key: algorithm.parameterAsString(parameters, key, context) for key in number_fields}
     folders = () if column is None else base_folders(algorithm, parameters, context, name)
     rows = []
     for feature in source.getFeatures():
-        longitude, latitude = position_of(feature, to_wgs84)
+        longitude, latitude = position_of(feature, to_wgs84) if needs_position else (None, None)
         path = None if column is None else absolute_path(feature[column], folders)
         label = Path(path).name if path else tr("Point {id}").format(id=feature.id())
         values = {key: number_or_none(feature[field]) if field else None for key, field in columns.items()}

@@ -95,16 +95,16 @@ class OrientPhotos(SkylineAlgorithm):
         options = options_of(self, parameters, context)
         requests = requests_of(self, parameters, context, rows)
         fields, kept = oriented_fields(source)
-        report = PhotoReport(self, parameters, context, options)
         features, statuses = [], []
-        for row, oriented in zip(rows, orient_each(requests, self.dem.open(), options, feedback, (0.0, 0.95))):
-            features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
-            statuses.append(oriented.orientation.status)
-            report.add(oriented)
-        feedback.pushInfo(summary(statuses))
-        output = write_features(
-            self, parameters, "OUTPUT", context, fields, source.wkbType(), source.sourceCrs(), features
-        )
+        with PhotoReport(self, parameters, context, len(rows)) as report:
+            for row, oriented in zip(rows, orient_each(requests, self.dem.open(), options, feedback, (0.0, 0.95))):
+                features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
+                statuses.append(oriented.orientation.status)
+                report.add(oriented)
+            feedback.pushInfo(summary(statuses))
+            output = write_features(
+                self, parameters, "OUTPUT", context, fields, source.wkbType(), source.sourceCrs(), features
+            )
         style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
         results = {"OUTPUT": output, "COUNT": len(statuses), "ACCEPTED": statuses.count("accepted")}
-        return {**results, **report.write(feedback)}
+        return {**results, **report.outputs()}

@@ -23,12 +23,12 @@ def available(module):
 
 @contextmanager
 def _own_libraries_first(module):
-    """Bind pillow-heif to the libheif that it brings.
+    """Bind Pillow and pillow-heif to the libraries that their wheels bring.
 
-    On Linux the QGIS programs have GDAL's older libheif in their global scope. Without RTLD_DEEPBIND the wheel's calls
-    go there and the whole process dies with a segmentation fault.
+    On Linux the QGIS programs have GDAL's libheif and Qt's freetype in their global scope. Without RTLD_DEEPBIND a
+    wheel's calls go to those other versions: decoding HEIC kills the process, and letters come out enormous.
     """
-    if module != "pillow_heif" or not hasattr(os, "RTLD_DEEPBIND"):
+    if module.split(".")[0] not in ("PIL", "pillow_heif") or not hasattr(os, "RTLD_DEEPBIND"):
         yield
         return
     flags = sys.getdlopenflags()

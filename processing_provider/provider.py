@@ -14,7 +14,10 @@ PROVIDER_ID = "skylineviewshed"
 
 ALGORITHMS = (
     ("import_photos", "ImportPhotos"),
+    ("extract_skyline", "ExtractSkyline"),
+    ("horizon_profile", "HorizonProfile"),
     ("orient_photos", "OrientPhotos"),
+    ("measure_offsets", "MeasureOffsets"),
 )
 """(module under `algorithms`, class), in the order of the work."""
 

@@ -1,0 +1,150 @@
+"""Photographs -> their skyline as a table of pixels, and drawn over the picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
+
+from ..core.errors import MissingPackageError, PhotoError
+from ..core.model import Orientation, OrientedPhoto
+from ..core.progress import checkpoint
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .feedback import FeedbackProgress, announce, warn
+from .fields import FieldSpec, qgis_fields
+from .i18n import tr
+from .layers import read_points
+from .outputs import write_features
+from .styling import style_on_completion
+
+PREVIEW_PX = 1600
+
+
+class ExtractSkyline(SkylineAlgorithm):
+    """Find the boundary between sky and terrain in each photograph."""
+
+    ID = "extractskyline"
+    GROUP_ID = "photographs"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Extract skyline")
+
+    def tags(self):
+        """Search words."""
+        return tr("photo,skyline,horizon,sky,segmentation,ridge,overlay").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Boundary between sky and terrain in photographs, with a confidence per column")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Writes one row per picture column: <b>column</b> and <b>row</b> are pixels of the full upright "
+                "picture (the first pixel at 0, row = first terrain pixel), <b>confidence</b> runs from 0 (no "
+                "believable boundary, interpolated) to 1."
+            ),
+            tr(
+                "Correct the table by hand and give it to <i>Orient photos</i> as <i>Drawn skylines</i> where the "
+                "automatic skyline is wrong. Overlays are PNG pictures to judge it by."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        photos = shared.photo_source()
+        photos.setDataTypes([QgsProcessing.SourceType.TypeVector])
+        self.addParameter(photos)
+        self.addParameter(shared.photo_field())
+        self.addParameter(shared.method())
+        self.addParameter(shared.points_out("OUTPUT", tr("Skylines"), QgsProcessing.SourceType.TypeVector))
+        self.addParameter(
+            shared.folder_out("OVERLAYS", tr("Folder of overlays"), tr("One PNG per photograph with its skyline."))
+        )
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of skylines")))
+
+    def run(self, parameters, context, feedback):
+        """Extract photo by photo, then write."""
+        _, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", needs_position=False)
+        method = shared.METHODS[self.parameterAsEnum(parameters, "METHOD", context)]
+        folder = self.parameterAsString(parameters, "OVERLAYS", context)
+        table, count = [], 0
+        for index, row in enumerate(rows):
+            checkpoint(FeedbackProgress(feedback), 0.95 * index / len(rows))
+            announce(feedback, row.name, index, len(rows))
+            try:
+                found = extract(row.path, method)
+            except (PhotoError, MissingPackageError) as error:
+                warn(feedback, row.name, str(error))
+                continue
+            table += [(None, [row.path, *pixel]) for pixel in pixels_of(found)]
+            count += 1
+            if folder:
+                write_overlay(found, folder)
+        specs = skyline_specs()
+        output = write_features(
+            self,
+            parameters,
+            "OUTPUT",
+            context,
+            qgis_fields(specs),
+            QgsWkbTypes.Type.NoGeometry,
+            QgsCoordinateReferenceSystem(),
+            table,
+        )
+        style_on_completion(context, output, "skylines", tr("Skylines"), specs, self.displayName())
+        results = {"OUTPUT": output, "COUNT": count}
+        return {**results, "OVERLAYS": folder} if folder else results
+
+
+def extract(path, method):
+    """Extract one skyline; the answer is an `OrientedPhoto` without orientation, which overlays can draw."""
+    from ..core.io.photo import read_photo
+    from ..core.pipeline import OrientOptions
+    from ..core.skyline_evidence import skyline_evidence
+    from ..core.skyline_paper import extract_skyline_paper
+
+    if path is None:
+        raise PhotoError(tr("The point names no photo. Fill its path field."))
+    photo, options = read_photo(path, None if method == "paper" else PREVIEW_PX), OrientOptions()
+    metadata, evidence = photo.metadata, None
+    if method == "paper":
+        skyline = extract_skyline_paper(photo.pixels, options.paper_skyline)
+    else:
+        evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
+        skyline = evidence.best
+    return OrientedPhoto(path, Orientation("", ""), metadata, preview=photo.pixels, skyline=skyline, evidence=evidence)
+
+
+def pixels_of(found):
+    """[column, row, confidence] per column, in pixels of the full upright picture."""
+    from ..core.figures_lines import skyline_line
+
+    skyline = found.skyline
+    line = skyline_line(skyline, found.metadata.width_px, found.metadata.height_px)
+    return [list(map(float, pixel)) for pixel in zip(line.x_px, line.y_px, skyline.confidence)]
+
+
+def write_overlay(found, folder):
+    """Draw the skyline over the picture: a PNG named like the photo."""
+    from ..core.draw_raster import encode_png
+    from ..core.figures_overlay import overlay_image
+
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    target = Path(folder) / f"{Path(found.path).stem}.png"
+    part = target.with_suffix(".part")
+    part.write_bytes(encode_png(overlay_image(found, PREVIEW_PX)))
+    part.replace(target)
+
+
+def skyline_specs():
+    """Fields of the table."""
+    return [
+        FieldSpec("photo", "text", tr("Photo")),
+        FieldSpec("column", "real", tr("Column (px, from the left)")),
+        FieldSpec("row", "real", tr("Row (px, from the top)")),
+        FieldSpec("confidence", "real", tr("Confidence (0 to 1)")),
+    ]
