@@ -37,6 +37,14 @@ def spatial_reference(crs):
     return reference
 
 
+def _horizontal(crs):
+    """Leave out a compound CRS's heights: a missing geoid grid must not cost us the plan position."""
+    reference = spatial_reference(crs)
+    if reference.IsCompound():
+        reference.StripVertical()
+    return reference
+
+
 def local_plane(longitude_deg, latitude_deg):
     """CRS of true east and north on the ellipsoid around a place: azimuthal equidistant on WGS 84, metres."""
     return f"+proj=aeqd +lat_0={latitude_deg!r} +lon_0={longitude_deg!r} +datum=WGS84 +units=m +no_defs"
@@ -58,9 +66,7 @@ class Transformer:
             options.SetAreaOfInterest(*area_deg)
         with quiet_gdal():
             try:
-                self._transformation = osr.CoordinateTransformation(
-                    spatial_reference(source), spatial_reference(target), options
-                )
+                self._transformation = osr.CoordinateTransformation(_horizontal(source), _horizontal(target), options)
             except RuntimeError:
                 self._transformation = None
         if self._transformation is None or not self._transformation.this:
@@ -108,7 +114,7 @@ def x_period(crs):
     360 degrees for longitudes; the equator's image for Mercator and the like. Used to follow a frame across the
     antimeridian.
     """
-    reference = spatial_reference(crs)
+    reference = _horizontal(crs)
     if reference.IsGeographic():
         return 2 * np.pi / reference.GetAngularUnits()
     method = reference.GetAttrValue("PROJECTION") or ""

@@ -12,7 +12,8 @@ import re
 import warnings
 
 from ..optional import available
-from .gdal_quiet import open_quietly
+from .formats import GDAL_DRIVERS
+from .gdal_quiet import open_quietly, quiet_gdal
 
 TAGS = {
     ("Image", 0x010F): "Make",
@@ -124,10 +125,12 @@ def _pillow_exif(pil, path, kind):
 
 
 def _by_gdal(path, kind):
-    dataset = open_quietly(path)
+    """GDAL prints six digits and calls 0/0 zero: enough for a place to some metres, and the last resort."""
+    dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
     if dataset is None:
         return {}
-    found = dataset.GetMetadata("EXIF") or dataset.GetMetadata() or {}
+    with quiet_gdal():
+        found = dataset.GetMetadata("EXIF") or dataset.GetMetadata() or {}
     raw = {tag: found["EXIF_" + tag] for tag in TAGS.values() if "EXIF_" + tag in found}
     return _normal({tag: text if tag in TEXT_TAGS else _numbers(text) for tag, text in raw.items()})
 

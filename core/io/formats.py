@@ -9,6 +9,8 @@ from ..errors import UnreadablePhotoError
 PHOTO_SUFFIXES = (".jpg", ".jpeg", ".jpe", ".jfif", ".heic", ".heif", ".hif")
 """Names that `list_photos` takes for photographs, in any case."""
 
+GDAL_DRIVERS = {"jpeg": "JPEG", "heif": "HEIF", "png": "PNG", "tiff": "GTiff", "webp": "WEBP"}
+
 HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1", b"mif2")
 """Major or compatible brands of an ISO 23008-12 file with HEVC pictures."""
 
@@ -60,12 +62,12 @@ def check_size(path, width_px, height_px):
 
 def _first_bytes(path, count=64):
     try:
+        if os.path.exists(path) and not os.path.isfile(path):  # a pipe would keep us waiting for ever
+            raise UnreadablePhotoError(path, "it is a folder or a device, not a file.")
         with open(path, "rb") as file:
             return file.read(count)
     except FileNotFoundError:
         raise UnreadablePhotoError(path, "there is no such file. Check the path.") from None
-    except IsADirectoryError:
-        raise UnreadablePhotoError(path, "it is a folder, not a file.") from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the path
         reason = getattr(error, "strerror", None) or str(error)
         raise UnreadablePhotoError(path, f"it cannot be opened ({reason}).") from None

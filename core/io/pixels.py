@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import warnings
+from contextlib import contextmanager
 
 import numpy as np
 
 from ..errors import UnreadablePhotoError
 from ..optional import available, install_hint
-from .formats import check_size
+from .formats import GDAL_DRIVERS, check_size
 from .gdal_quiet import open_quietly, quiet_gdal
 
-GDAL_DRIVERS = {"jpeg": "JPEG", "heif": "HEIF", "png": "PNG", "tiff": "GTiff", "webp": "WEBP"}
 DAMAGED = "it is damaged or incomplete. Copy it again from its source."
 
 
@@ -67,18 +67,24 @@ def _undecodable(path, kind):
     return UnreadablePhotoError(path, DAMAGED)
 
 
-def _open_pillow(path, kind):
-    if kind == "jpeg":
-        # Opened by its class: Image.open has a process-wide pixel limit below that of today's phones.
-        return available("PIL.JpegImagePlugin").JpegImageFile(path)
-    return available("PIL.Image").open(path)
+@contextmanager
+def _opened_by_pillow(path, kind):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # damaged metadata, large pictures: both are dealt with elsewhere
+        if kind == "jpeg":
+            # Opened by its class: Image.open has a process-wide pixel limit below that of today's phones.
+            picture = available("PIL.JpegImagePlugin").JpegImageFile(path)
+        else:
+            picture = available("PIL.Image").open(path)
+        with picture:
+            yield picture
 
 
 def _pillow_size(path, kind):
     if available("PIL.Image") is None:
         return None
     try:
-        with warnings.catch_warnings(), _open_pillow(path, kind) as picture:
+        with _opened_by_pillow(path, kind) as picture:
             return picture.size
     except Exception:  # plugins meet damaged files with SyntaxError, struct.error, OSError, ...
         return None
@@ -88,8 +94,7 @@ def _decode_pillow(path, kind, max_side_px):
     if available("PIL.Image") is None:
         return None
     try:
-        with warnings.catch_warnings(), _open_pillow(path, kind) as picture:
-            warnings.simplefilter("ignore")
+        with _opened_by_pillow(path, kind) as picture:
             if picture.mode.startswith(("I", "F")):
                 return None  # deeper than 8 bit: GDAL keeps the values
             if kind == "jpeg" and max_side_px is not None:

@@ -8,7 +8,7 @@ import numpy as np
 from osgeo import gdal
 
 from ..angles import wrap_180
-from ..errors import UnusableDemError
+from ..errors import ObserverOutsideDemError, UnusableDemError
 from ..frame import tabulate_frame
 from ..terrain import Window
 from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
@@ -25,6 +25,9 @@ METRES_PER_UNIT = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 /
 """By the band's unit; all others are metres."""
 
 STRIP_BYTES = 16 * 2**20
+
+SEARCHED_CELLS = 500_000_000
+"""So many cells are read in search of a valid one before a raster counts as empty: some seconds."""
 
 LOWLAND_M = 100.0
 """Terrain of which 99 % lies above this has no sea, so that zeros along its edges are missing data."""
@@ -105,6 +108,8 @@ class Dem:
         self.shape = dataset.RasterYSize, dataset.RasterXSize
         self._dataset, self._band = dataset, dataset.GetRasterBand(band)
         self.nodata = self._band.GetNoDataValue()
+        with np.errstate(over="ignore"):
+            self._fill = np.float32(np.nan if self.nodata is None else self.nodata)
         self.zero_is_void = False
         unit_m = METRES_PER_UNIT.get((self._band.GetUnitType() or "").strip().lower(), 1.0)
         scale, offset = self._band.GetScale(), self._band.GetOffset()
@@ -136,9 +141,7 @@ class Dem:
         if done is None:
             raise UnusableDemError(f"The DEM {self.path} is damaged ({'; '.join(messages)[:200]}). Copy it again.")
         void = ~np.isfinite(strip)
-        if self.nodata is not None:
-            void |= strip == np.float32(self.nodata)
-        void |= strip == np.float32(COMMON_FILL)
+        void |= (strip == self._fill) | (strip == np.float32(COMMON_FILL))
         if self.zero_is_void:
             void |= strip == 0
         if hidden is not None:
@@ -151,12 +154,23 @@ class Dem:
         strip[void] = np.nan
 
     def frame(self, longitude_deg, latitude_deg, radius_m):
-        """See `Terrain.frame`: azimuthal equidistant on WGS 84 around the position, exact in any CRS."""
+        """See `Terrain.frame`: azimuthal equidistant on WGS 84 around the position, exact in any CRS.
+
+        A frame follows the ground across the antimeridian; the seam of a raster that spans the whole globe, and the
+        pole itself in longitude and latitude, are its limits: there the raster ends.
+
+        Raises
+        ------
+        ObserverOutsideDemError
+            The raster's CRS does not reach the position.
+        """
         reach_deg = np.degrees(radius_m / 6_350_000.0)
         transform = Transformer(
             local_plane(longitude_deg, latitude_deg), self.crs_wkt, _area(longitude_deg, latitude_deg, reach_deg)
         )
-        centre_x, _ = transform(0.0, 0.0)
+        centre_x, centre_y = transform(0.0, 0.0)
+        if not (np.isfinite(centre_x) and np.isfinite(centre_y)):
+            raise ObserverOutsideDemError(longitude_deg, latitude_deg)
         period, wrap = x_period(self.crs_wkt), None
         if period is not None:
             home_x = self._nearest_x(float(centre_x), period)
@@ -219,12 +233,16 @@ class Dem:
         return np.concatenate(values), np.concatenate(edge)
 
     def _any_valid(self):
+        """Search for a valid cell in strips, in all of them up to `SEARCHED_CELLS`, else in an even choice."""
         rows, cols = self.shape
         height = self._band.GetBlockSize()[1]
         height *= max(STRIP_BYTES // (4 * cols * height), 1)
+        starts = np.arange(0, rows, height)
+        most = max(SEARCHED_CELLS // (height * cols), 1)
+        if len(starts) > most:
+            starts = starts[np.linspace(0, len(starts) - 1, most).astype(int)]
         return any(
-            np.isfinite(self.read(Window(row, 0, height, cols).clipped(self.shape))).any()
-            for row in range(0, rows, height)
+            np.isfinite(self.read(Window(int(row), 0, height, cols).clipped(self.shape))).any() for row in starts
         )
 
 

@@ -1,4 +1,4 @@
-"""A text file whose beginning is known last, as a report's: written in passing, put together at the end, whole or not."""
+"""A text file whose beginning is known last, as a report's: written in passing, put together whole or not at all."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class ReportFile:
         self.path = os.fspath(path)
         self._folder = os.path.dirname(self.path) or "."
         try:
-            self._body = tempfile.TemporaryFile(
+            self._body = tempfile.TemporaryFile(  # noqa: SIM115 - lives until finish or discard
                 "w+", dir=self._folder, prefix=".skyline-", encoding="utf-8", newline="\n"
             )
         except OSError as error:

@@ -1,0 +1,87 @@
+import numpy as np
+import pytest
+from skyline_viewshed.core.errors import TerrainError
+from skyline_viewshed.core.io.crs import (
+    Transformer,
+    from_wgs84,
+    grid_convergence_deg,
+    local_plane,
+    spatial_reference,
+    to_wgs84,
+    x_period,
+)
+
+
+def test_convergence_has_the_standard_sense_in_both_of_the_papers_grids():
+    # The paper adds +104.5 in EPSG:3413 near Anchorage; the standard convergence is its negative.
+    assert grid_convergence_deg("EPSG:3413", -149.5, 61.1) == pytest.approx(-104.5, abs=1e-4)
+    assert grid_convergence_deg("EPSG:32606", -149.5, 61.1) == pytest.approx(-2.19, abs=0.005)
+
+
+@pytest.mark.parametrize("latitude_deg, longitude_deg", [(46.0, 10.5), (-33.0, 7.5), (61.1, 9.0)])
+def test_convergence_of_utm_agrees_with_its_series(latitude_deg, longitude_deg):
+    # Snyder 1987, USGS PP 1395, equation 8-16, spherical form plus the ellipsoid's third-order term.
+    turn, phi = np.radians(longitude_deg - 9.0), np.radians(latitude_deg)
+    eta2 = 0.00673949674 * np.cos(phi) ** 2
+    expected = np.degrees(turn * np.sin(phi) * (1 + turn**2 * np.cos(phi) ** 2 * (1 + 3 * eta2 + 2 * eta2**2) / 3))
+    zone = "EPSG:32632" if latitude_deg > 0 else "EPSG:32732"
+    assert grid_convergence_deg(zone, longitude_deg, latitude_deg) == pytest.approx(expected, abs=1e-5)
+
+
+def test_convergence_of_polar_stereographic_is_the_longitude_itself():
+    assert grid_convergence_deg("EPSG:3031", 78.25, -68.5) == pytest.approx(-78.25, abs=1e-4)
+    assert grid_convergence_deg("EPSG:3857", 120.0, 50.0) == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("crs", ["EPSG:3413", "EPSG:32606", "EPSG:3857", "EPSG:4326"])
+def test_round_trip(crs):
+    longitude_deg, latitude_deg = np.array([-150.0, -149.2]), np.array([61.0, 61.3])
+    x, y = from_wgs84(crs, longitude_deg, latitude_deg)
+    back = to_wgs84(crs, x, y)
+    assert np.allclose(back, (longitude_deg, latitude_deg), atol=1e-9)
+
+
+def test_axes_are_longitude_first():
+    assert from_wgs84("EPSG:4326", 8.0, 46.0) == pytest.approx((8.0, 46.0))
+
+
+def test_swiss_grid_at_its_origin():
+    # The old observatory of Berne is E 600000, N 200000 of CH1903 / LV03.
+    assert from_wgs84("EPSG:21781", 7.438632, 46.951083) == pytest.approx((600_000, 200_000), abs=2.0)
+
+
+def test_what_lies_outside_the_domain_is_nan():
+    x, y = from_wgs84("EPSG:3857", np.array([0.0, 0.0]), np.array([-90.0, 10.0]))
+    assert np.isnan(y[0]) or abs(y[0]) > 1e8
+    assert np.isfinite([x[1], y[1]]).all()
+
+
+def test_heights_of_a_compound_crs_are_left_out():
+    flat = from_wgs84("EPSG:32632", 8.0, 46.0)
+    assert from_wgs84("EPSG:32632+5773", 8.0, 46.0) == pytest.approx(flat, abs=1e-6)
+
+
+def test_a_local_plane_measures_true_azimuth_and_distance():
+    longitude_deg, latitude_deg = Transformer(local_plane(86.8, 27.9), "EPSG:4326")(0.0, 10_000.0)
+    assert longitude_deg == pytest.approx(86.8, abs=1e-9)
+    # 1 degree of meridian at 27.945 N is 110.82 km (WGS 84).
+    assert latitude_deg - 27.9 == pytest.approx(10_000 / 110_821, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    "crs, period",
+    [
+        ("EPSG:4326", 360.0),
+        ("EPSG:3857", 40_075_016.686),
+        ("EPSG:32606", None),
+        ("EPSG:3031", None),
+        ("EPSG:3413", None),
+    ],
+)
+def test_only_cylindrical_planes_repeat_the_world(crs, period):
+    assert x_period(crs) == (None if period is None else pytest.approx(period, rel=1e-9))
+
+
+def test_nonsense_is_refused_in_a_sentence():
+    with pytest.raises(TerrainError, match="not understood"):
+        spatial_reference("EPSG:999999")
