@@ -60,19 +60,19 @@ format: setup ## Format the code
 
 .PHONY: bench-accuracy
 bench-accuracy: setup ## Headings against the truth: DATA=folder [METHOD=robust|paper] [COMPASS=ignore|prior]
-	@$(PYTHON) benchmarks/accuracy.py "$(DATA)" --method $(METHOD) --compass $(COMPASS)
+	@$(PYTHON) benchmarks/bench_accuracy.py "$(DATA)" --method $(METHOD) --compass $(COMPASS)
 
 .PHONY: bench-skyline
 bench-skyline: setup ## Skylines against masks: DATA=folder
-	@$(PYTHON) benchmarks/skyline.py "$(DATA)"
+	@$(PYTHON) benchmarks/bench_skyline.py "$(DATA)"
 
 .PHONY: bench-simulated
 bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes
-	@$(PYTHON) benchmarks/simulated.py
+	@$(PYTHON) benchmarks/bench_simulated.py
 
 .PHONY: bench-speed
 bench-speed: setup ## Horizon and viewshed against their peers
-	@$(PYTHON) benchmarks/speed.py
+	@$(PYTHON) benchmarks/bench_speed.py
 
 .PHONY: env
 env: setup ## Print the variables with which a plain qgis_process sees the plugin: eval "$$(make env)"
