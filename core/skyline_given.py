@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import imaging
 from .errors import SkylineNotFoundError
 from .model import Skyline, SkylineEvidence
 
