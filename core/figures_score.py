@@ -153,19 +153,22 @@ def _interval(orientation, x, y):
 
 
 def _candidate_marks(orientation, headings, scores, x, y, width):
-    parts = []
-    for rank, candidate in reversed(list(enumerate(orientation.candidates[:3]))):
+    parts, labels = [], []
+    for rank, candidate in enumerate(orientation.candidates[:3]):
         heading = float(wrap_360(candidate.pose.heading_deg))
         nearby = np.abs(difference(headings, heading)) <= 1.0
         value = scores[nearby].max() if nearby.any() else np.interp(heading, headings, scores, period=360)
         at, level = float(x(heading)), float(y(np.clip(value, y.low, y.high)))
         name = "best" if rank == 0 else "alternative"
-        parts.append(line(at, level, at, y.start, name))
-        parts.append(element("circle", cx=at, cy=level, r=4.5 if rank == 0 else 3.5, class_=f"mark-{name}"))
+        dot = element("circle", cx=at, cy=level, r=4.5 if rank == 0 else 3.5, class_=f"mark-{name}")
+        parts.append(line(at, level, at, y.start, name) + dot)
         words = f"{azimuth(heading)} {compass_point(heading)}" if rank == 0 else f"{rank + 1}: {azimuth(heading)}"
-        beside = _beside(at, max(level - 6, 12) if rank == 0 else level - 4, width)
-        parts.append(text(*beside, class_=f"name-{name}", words=words))
-    return parts
+        label_x, label_y = _beside(at, max(level - 6, 12) if rank == 0 else level - 4, width)
+        while any(abs(label_x - a) < 80 and abs(label_y - b) < 12 for a, b in labels):
+            label_y += 12
+        labels.append((label_x, label_y))
+        parts.append(text(label_x, label_y, words, f"name-{name}"))
+    return parts[::-1]
 
 
 def _beside(at, level, width):

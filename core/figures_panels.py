@@ -1,0 +1,50 @@
+"""The paper's figure of a result in three panels: photograph, where it looks, what ground it shows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from .draw_raster import draw_words, resized
+from .draw_text import azimuth
+from .figures_map import map_image
+
+GAP_PX = 10
+PAPER = (255, 255, 255)
+
+
+def three_panels(photo, data, height_px=560, captions=True):
+    """Draw photograph, wedge on the grey elevation model, and viewshed on shaded relief side by side.
+
+    Parameters
+    ----------
+    photo : uint8 (h, w, 3) array
+        The upright picture, or its overlay.
+    data : MapData
+        With the observer first, its heading and field of view, the viewshed as `seen`, and the track if there is one.
+    height_px : int
+        Of the figure [pixels].
+    captions : bool
+        Write a letter and a word into each panel.
+
+    Returns
+    -------
+    uint8 (height_px, w, 3) array
+    """
+    east_m, south_m = data.size_m
+    map_px = round(height_px * east_m / south_m)
+    plain = replace(data, seen=None, track_px=None)
+    heading = next((o.heading_deg for o in data.observers if o.heading_deg is not None), None)
+    wedge_words = "b  view" if heading is None else f"b  heading {azimuth(heading)}"
+    photo = np.asarray(photo)[..., :3]
+    panels = [
+        (resized(photo, round(height_px * photo.shape[1] / photo.shape[0]), height_px).copy(), "a  photograph"),
+        (map_image(plain, map_px, "grey", wedge_reach_m=2 * max(east_m, south_m)), wedge_words),
+        (map_image(data, map_px, "hillshade", wedges=False), "c  viewshed"),
+    ]
+    for pixels, words in panels if captions else []:
+        draw_words(pixels, 14, 12, words, (255, 255, 255), height_px / 26, "la", bold=True)
+    gap = np.full((height_px, GAP_PX, 3), PAPER, np.uint8)
+    fitted = [resized(pixels, pixels.shape[1], height_px) for pixels, _ in panels]
+    return np.hstack([fitted[0], gap, fitted[1], gap, fitted[2]])

@@ -1,0 +1,130 @@
+"""The HTML report of horizon profiles: one card per place, its horizon drawn, its numbers said."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .draw_text import azimuth, degrees, escape, with_unit
+from .figures_profile import horizon_profile_svg
+from .report_facts import percent
+from .report_page import fact_table
+from .report_writer import DEFAULT_SOFTWARE, MemoryDocument, PageWriter
+
+MOST_WITH_FIGURES = 2_000
+"""Places drawn; a page of more would be hard to open."""
+
+
+class HorizonReportWriter(PageWriter):
+    """Write a report place by place; see `PageWriter` for the parameters and the use as a context manager."""
+
+    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
+        super().__init__(document, title, parameters, software=software, created=created)
+        self._rows = []
+
+    def add(self, name, horizon, longitude_deg=None, latitude_deg=None, sky_view_factor=None, extras=None):
+        """Append the card of one place.
+
+        Parameters
+        ----------
+        name : str
+            What the place is called; any text.
+        horizon : HorizonProfile
+        longitude_deg, latitude_deg : float or None
+            WGS 84 [degrees].
+        sky_view_factor : float or None
+            0 to 1.
+        extras : mapping or None
+            Further labels and values.
+        """
+        self._rows.append((name, _facts(horizon, sky_view_factor)))
+        number = len(self._rows)
+        rows = [("Latitude", degrees(latitude_deg, 6)), ("Longitude", degrees(longitude_deg, 6))]
+        rows += [(label, words) for label, _, words in self._rows[-1][1]]
+        rows += [(str(label), str(value)) for label, value in (extras or {}).items()]
+        drawing = horizon_profile_svg(horizon, width=1280, height=240) if number <= MOST_WITH_FIGURES else ""
+        half = -(-len(rows) // 2)
+        tables = fact_table("Place and horizon", rows[:half]) + fact_table("Eye and DEM", rows[half:])
+        self._document.write(
+            f'<article class="card item is-place" id="place-{number}"><header>'
+            f'<h2><bdi>{escape(name)}</bdi></h2></header>{drawing}<div class="numbers">{tables}</div></article>\n'
+        )
+
+    def add_failed(self, name, message):
+        """Append the card of a place that has no horizon, with the reason."""
+        self._rows.append((name, None))
+        self._document.write(
+            f'<article class="card item is-failed" id="place-{len(self._rows)}"><header>'
+            f'<span class="badge">! failed</span><h2><bdi>{escape(name)}</bdi></h2></header>'
+            f'<p class="advice">{escape(message, 1000)}</p></article>\n'
+        )
+
+    def _counts(self):
+        return [f"{len(self._rows)} place{'s' if len(self._rows) != 1 else ''}"]
+
+    def _frame(self):
+        return ("", ""), _table(self._rows), ""
+
+
+def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
+    """Write the report of a few places as one text.
+
+    Parameters
+    ----------
+    places : iterable of (name, HorizonProfile, longitude_deg, latitude_deg, sky_view_factor)
+        The last three may be None.
+    title, parameters, software, created
+        As for `PageWriter`.
+
+    Returns
+    -------
+    str
+        A complete HTML page.
+    """
+    document = MemoryDocument()
+    with HorizonReportWriter(document, title, parameters, software=software, created=created) as writer:
+        for place in places:
+            writer.add(*place)
+    return document.text
+
+
+def _facts(horizon, sky_view_factor):
+    """(label, value to sort by, words) of a horizon."""
+    elevation = np.asarray(horizon.elevation_deg, float)
+    distance = np.asarray(horizon.distance_m, float) / 1000
+    known, far = np.isfinite(elevation), np.isfinite(distance)
+    highest = int(np.argmax(np.where(known, elevation, -np.inf))) if known.any() else None
+    top = None if highest is None else float(elevation[highest])
+    at = None if highest is None else float(horizon.azimuth_deg[highest])
+    mean = float(elevation[known].mean()) if known.any() else None
+    middle = float(np.median(distance[far])) if far.any() else None
+    farthest = float(distance[far].max()) if far.any() else None
+    clipped, void = float(np.mean(horizon.clipped)), float(np.mean(np.asarray(horizon.void, bool) | ~known))
+    return [
+        ("Highest horizon", top, degrees(top, 2, signed=True)),
+        ("at azimuth", at, azimuth(at)),
+        ("Mean horizon", mean, degrees(mean, 2, signed=True)),
+        ("Median distance", middle, with_unit(middle, "km", 1)),
+        ("Farthest", farthest, with_unit(farthest, "km", 1)),
+        ("Sky view factor", sky_view_factor, with_unit(sky_view_factor, "", 3)),
+        ("Cut by DEM edge", clipped, percent(clipped)),
+        ("Void", void, percent(void)),
+        ("Eye elevation", horizon.eye_elevation_m, with_unit(horizon.eye_elevation_m, "m", 1)),
+        ("Cell", horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
+    ]
+
+
+def _table(rows):
+    labels = next((facts for _, facts in rows if facts), [])
+    heads = "".join(f'<th scope="col" data-numeric class="number">{escape(label)}</th>' for label, _, _ in labels)
+    lines = []
+    for number, (name, facts) in enumerate(rows, 1):
+        cells = "".join(
+            f'<td class="number" data-sort="{"" if value is None else f"{value:.6g}"}">{escape(words)}</td>'
+            for _, value, words in (facts or [(label, None, "–") for label, _, _ in labels])
+        )
+        name_cell = f'<a href="#place-{number}"><bdi>{escape(name)}</bdi></a>'
+        lines.append(f'<tr><td class="name-cell" data-sort="{escape(name)}">{name_cell}</td>{cells}</tr>\n')
+    return (
+        '<section class="panel scroll"><table class="overview sortable"><thead><tr><th scope="col">Place</th>'
+        f"{heads}</tr></thead><tbody>{''.join(lines)}</tbody></table></section>\n"
+    )
