@@ -1,0 +1,186 @@
+"""Which ground each pixel of a simulated photograph sees.
+
+Terrain is sampled once on a fan of vertical planes (columns of azimuth, rings of distance). Along a plane the running
+maximum of the sight-line tangent is what hides: the first ring at which it reaches a pixel's own tangent holds the
+ground that the pixel shows. Any pose, roll and lens distortion is only a matter of which azimuth and tangent a pixel
+has.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import map_coordinates
+
+from .camera import project, unproject
+from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
+from .progress import checkpoint
+from .terrain import Window
+
+UNSEEN_TAN = -1e3
+"""Tangent given to places without terrain."""
+VOID_M = -2.0e4
+"""Elevation given to voids: they hide nothing and show nothing."""
+COLUMNS_PER_BLOCK = 192
+
+
+@dataclass(frozen=True, eq=False)
+class Fan:
+    """Terrain tangents on vertical planes around the eye.
+
+    Attributes
+    ----------
+    azimuth_deg : (A,) array
+        Regular, clockwise from true north, increasing and not wrapped [degrees].
+    distance_m : (D,) array
+        Increasing ground distances [m].
+    tangent : (A, D) float32 array
+        Of the terrain's apparent elevation angle.
+    highest : (A, D) float32 array
+        Its running maximum along the distance.
+    """
+
+    azimuth_deg: np.ndarray
+    distance_m: np.ndarray
+    tangent: np.ndarray
+    highest: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class TerrainPatch:
+    """The part of a terrain that a view needs, in one piece.
+
+    Attributes
+    ----------
+    elevation_m : (r, c) float32 array
+        [m], voids at `VOID_M`.
+    window : Window
+        Its place in the raster.
+    """
+
+    elevation_m: np.ndarray
+    window: Window
+
+    def sample(self, field, frame, east_m, north_m, outside):
+        """Look a (r, c) field up at local metres, bilinearly; `outside` beyond the patch."""
+        col, row = frame.to_pixel(east_m, north_m)
+        place = np.array([row - self.window.row, col - self.window.col])
+        return map_coordinates(field, place, order=1, mode="constant", cval=outside, output=np.float32)
+
+
+def pixel_directions(camera, pose):
+    """Direction of every pixel.
+
+    Returns
+    -------
+    turn_deg, tangent : (H, W) arrays
+        Azimuth from the heading, in (-180, 180] [degrees], and tangent of the elevation angle.
+    """
+    x, y = np.meshgrid(np.arange(camera.width_px, dtype=float), np.arange(camera.height_px, dtype=float))
+    azimuth, elevation = unproject(camera, pose, x, y)
+    turn = np.mod(azimuth - pose.heading_deg + 180.0, 360.0) - 180.0
+    return turn, np.tan(np.radians(np.clip(elevation, -89.9, 89.9)))
+
+
+def read_patch(terrain, frame, eye_turns_deg, heading_deg, range_m):
+    """Read the bounding window of the view's wedge."""
+    azimuth = np.radians(heading_deg + np.linspace(eye_turns_deg[0] - 1, eye_turns_deg[1] + 1, 181))
+    east = np.append(range_m * np.sin(azimuth), 0.0)
+    north = np.append(range_m * np.cos(azimuth), 0.0)
+    col, row = frame.to_pixel(east, north)
+    low_col, low_row = int(np.floor(col.min())) - 3, int(np.floor(row.min())) - 3
+    window = Window(low_row, low_col, int(np.ceil(row.max())) + 4 - low_row, int(np.ceil(col.max())) + 4 - low_col)
+    window = window.clipped(terrain.shape)
+    elevation = np.asarray(terrain.read(window), np.float32)
+    return TerrainPatch(np.where(np.isfinite(elevation), elevation, np.float32(VOID_M)), window)
+
+
+def ring_distances_m(cell_m, focal_px, range_m):
+    """Distances at which planes are sampled: dense near the eye, then about half a cell or a pixel."""
+    distances, distance = [], 0.7
+    while distance < range_m:
+        distances.append(distance)
+        distance += min(0.02 * distance, max(0.5 * cell_m, 0.7 * distance / focal_px))
+    return np.array(distances)
+
+
+def cast_fan(terrain_patch, frame, camera, pose, turns_deg, eye_elevation_m, range_m, progress):
+    """Sample the terrain on the planes between the two `turns_deg` (left, right of the heading)."""
+    step = 0.5 * np.degrees(1 / camera.focal_px)
+    count = int(np.ceil((turns_deg[1] - turns_deg[0]) / step)) + 3
+    azimuth = pose.heading_deg + turns_deg[0] + step * (np.arange(count) - 1)
+    distance = ring_distances_m(frame.cell_m, camera.focal_px, range_m)
+    lowered = eye_elevation_m + apparent_drop_m(distance, REFRACTION_COEFFICIENT)
+    tangent = np.empty((count, distance.size), np.float32)
+    for start in range(0, count, COLUMNS_PER_BLOCK):
+        checkpoint(progress, start / count)
+        angle = np.radians(azimuth[start : start + COLUMNS_PER_BLOCK])[:, None]
+        height = terrain_patch.sample(
+            terrain_patch.elevation_m, frame, distance * np.sin(angle), distance * np.cos(angle), VOID_M
+        )
+        rise = (height - lowered) / distance
+        tangent[start : start + COLUMNS_PER_BLOCK] = np.where(height > VOID_M / 10, rise, UNSEEN_TAN)
+    return Fan(azimuth, distance, tangent, np.maximum.accumulate(tangent, axis=1))
+
+
+def first_hits_m(fan, azimuth_deg, tangent):
+    """Ground distance of what each sight line meets first.
+
+    Parameters
+    ----------
+    fan : Fan
+    azimuth_deg, tangent : (N,) arrays
+        Of the sight lines; azimuths in the fan's own count [degrees].
+
+    Returns
+    -------
+    (N,) array
+        [m]; inf for sky.
+    """
+    step = fan.azimuth_deg[1] - fan.azimuth_deg[0]
+    plane = np.clip(np.rint((azimuth_deg - fan.azimuth_deg[0]) / step), 0, fan.azimuth_deg.size - 1).astype(np.intp)
+    order = np.argsort(plane, kind="stable")
+    starts = np.searchsorted(plane[order], np.arange(fan.azimuth_deg.size + 1))
+    ring = np.empty(tangent.size, np.intp)
+    wanted = tangent.astype(np.float32)
+    for index in range(fan.azimuth_deg.size):
+        mine = order[starts[index] : starts[index + 1]]
+        if mine.size:
+            ring[mine] = np.searchsorted(fan.highest[index], wanted[mine])
+    sky = ring == fan.distance_m.size
+    far = np.minimum(ring, fan.distance_m.size - 1)
+    near = np.maximum(far - 1, 0)
+    # Heights of the terrain above the sight line at both rings; the line meets the ground where that is zero.
+    far_gap = (fan.tangent[plane, far] - tangent) * fan.distance_m[far]
+    near_gap = (fan.tangent[plane, near] - tangent) * fan.distance_m[near]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(far_gap > near_gap, near_gap / (near_gap - far_gap), 1.0)
+    share = np.where(fan.tangent[plane, near] <= UNSEEN_TAN, 1.0, np.clip(share, 0.0, 1.0))
+    distance = fan.distance_m[near] + share * (fan.distance_m[far] - fan.distance_m[near])
+    return np.where(sky, np.inf, distance)
+
+
+def skyline_row_px(fan, camera, pose):
+    """Exact boundary of sky and terrain.
+
+    Returns
+    -------
+    (W,) array
+        Continuous row of the horizon at each column's centre [pixels]; NaN where it is above or below the frame.
+    """
+    tangent = fan.highest[:, -1].astype(float)
+    x, y = project(camera, pose, fan.azimuth_deg, np.degrees(np.arctan(tangent)))
+    # Terrain right below or behind the frame's edge can fold x; the uppermost of all crossings is the skyline.
+    column = np.arange(camera.width_px, dtype=float)
+    row = np.full(camera.width_px, np.inf)
+    known = np.isfinite(x[:-1]) & np.isfinite(x[1:]) & (tangent[:-1] > UNSEEN_TAN) & (tangent[1:] > UNSEEN_TAN)
+    for index in np.flatnonzero(known):
+        low, high = sorted((x[index], x[index + 1]))
+        first, last = max(int(np.ceil(low)), 0), min(int(np.floor(high)), camera.width_px - 1)
+        if first <= last and high > low:
+            inside = column[first : last + 1]
+            share = (inside - x[index]) / (x[index + 1] - x[index])
+            crossing = y[index] + share * (y[index + 1] - y[index])
+            row[first : last + 1] = np.minimum(row[first : last + 1], crossing)
+    return np.where((row >= -0.5) & (row <= camera.height_px - 0.5), row, np.nan)

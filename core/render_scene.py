@@ -1,0 +1,144 @@
+"""What a simulated photograph shall look like: light, weather, ground cover, foreground, camera faults."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from datetime import datetime, timezone
+
+import numpy as np
+
+CLOUDS = ("none", "behind", "lid", "fog", "valley")
+FOREGROUNDS = ("none", "trees", "people")
+
+
+@dataclass(frozen=True)
+class SceneOptions:
+    """Light, weather and camera of one simulated photograph.
+
+    Attributes
+    ----------
+    seed : int
+        Of everything random; the same seed gives the same picture.
+    sun_azimuth_deg, sun_elevation_deg : float
+        Clockwise from true north, above the horizon [degrees]; see `sun_direction_deg`.
+    range_m : float
+        How far terrain is drawn [m].
+    visibility_m : float
+        Meteorological visual range at sea level (contrast falls to 2 %) [m].
+    snow_line_m, tree_line_m : float or None
+        Elevations above which snow lies and below which forest grows [m]; None takes a share of the relief in view.
+    clouds : str
+        'none'; 'behind' the ridge; 'lid', hanging in front of it over `cloud_share` of the width; 'fog', the ridge
+        all but gone; 'valley', a layer below the ridge.
+    cloud_share : float
+        Share of the width under a lid, or of the sky behind (0 to 1).
+    foreground : str
+        'none', 'trees' or 'people' near the camera.
+    foreground_share : float
+        Share of the width they take.
+    lake_elevation_m : float or None
+        Flat ground below this is water that mirrors the sky [m].
+    exposure_ev : float
+        Over (+) or under (-) the automatic exposure [stops].
+    noise : float
+        Standard deviation of the sensor's noise at mid-grey, in 8-bit steps.
+    sharpening : float
+        Strength of the unsharp mask (phones: 0.5 to 1).
+    blur_px : float
+        Standard deviation of lens and motion blur [pixels].
+    vignetting : float
+        Loss of light in the corners (0 to 1).
+    texture : float
+        Contrast of the ground's texture, 1 as in nature.
+    """
+
+    seed: int = 0
+    sun_azimuth_deg: float = 135.0
+    sun_elevation_deg: float = 35.0
+    range_m: float = 80_000.0
+    visibility_m: float = 120_000.0
+    snow_line_m: float | None = None
+    tree_line_m: float | None = None
+    clouds: str = "none"
+    cloud_share: float = 0.3
+    foreground: str = "none"
+    foreground_share: float = 0.3
+    lake_elevation_m: float | None = None
+    exposure_ev: float = 0.0
+    noise: float = 2.0
+    sharpening: float = 0.6
+    blur_px: float = 0.6
+    vignetting: float = 0.15
+    texture: float = 1.0
+
+    def __post_init__(self):
+        if self.clouds not in CLOUDS or self.foreground not in FOREGROUNDS:
+            raise ValueError(f"clouds must be one of {CLOUDS} and foreground one of {FOREGROUNDS}, not {self}")
+        if not (self.range_m > 0 and self.visibility_m > 0 and self.noise >= 0 and self.blur_px >= 0):
+            raise ValueError(f"ranges must be positive, noise and blur not negative, in {self}")
+        if not (0 <= self.cloud_share <= 1 and 0 <= self.foreground_share <= 1 and 0 <= self.vignetting < 1):
+            raise ValueError(f"shares must lie between 0 and 1, in {self}")
+
+
+def clean_scene(seed=0, **changes):
+    """Give a clear day with an ordinary camera: nothing hides the ridge."""
+    return replace(SceneOptions(seed=seed), **changes)
+
+
+def hard_scene(seed, **changes):
+    """Draw weather, light, foreground and camera faults at random, as a season of photographs has them."""
+    generator = np.random.Generator(np.random.PCG64([seed, 77]))
+    pick = generator.random
+    clouds = str(np.array(CLOUDS)[np.searchsorted(np.cumsum([0.42, 0.26, 0.16, 0.04]), pick())])
+    foreground = str(np.array(FOREGROUNDS)[np.searchsorted(np.cumsum([0.6, 0.3]), pick())])
+    scene = SceneOptions(
+        seed=seed,
+        sun_azimuth_deg=360 * pick(),
+        sun_elevation_deg=4 + 56 * pick() ** 1.3,
+        visibility_m=float(np.exp(np.log(2.5e4) + np.log(10) * pick())),
+        clouds=clouds,
+        cloud_share=0.1 + 0.6 * pick(),
+        foreground=foreground,
+        foreground_share=0.1 + 0.5 * pick(),
+        exposure_ev=-0.8 + 1.4 * pick(),
+        noise=0.8 + 6 * pick() ** 2,
+        sharpening=1.2 * pick(),
+        blur_px=0.4 + 0.9 * pick() ** 2,
+        vignetting=0.4 * pick(),
+        texture=0.6 + 0.8 * pick(),
+    )
+    return replace(scene, **changes)
+
+
+def sun_direction_deg(longitude_deg, latitude_deg, when):
+    """Where the sun stands.
+
+    Parameters
+    ----------
+    longitude_deg, latitude_deg : float
+        WGS 84 [degrees].
+    when : datetime
+        With a time zone; without one it is taken as UTC.
+
+    Returns
+    -------
+    azimuth_deg, elevation_deg : float
+        Clockwise from true north; above the horizon, without refraction [degrees]. Good to about 0.02 degrees.
+
+    References
+    ----------
+    .. [1] The Astronomical Almanac, low precision formulas for the sun (section C); 1950 to 2050.
+    """
+    when = when.replace(tzinfo=timezone.utc) if when.tzinfo is None else when.astimezone(timezone.utc)
+    days = (when - datetime(2000, 1, 1, 12, tzinfo=timezone.utc)).total_seconds() / 86400.0
+    anomaly = np.radians(357.528 + 0.9856003 * days)
+    longitude = np.radians(280.460 + 0.9856474 * days + 1.915 * np.sin(anomaly) + 0.020 * np.sin(2 * anomaly))
+    obliquity = np.radians(23.439 - 4e-7 * days)
+    right_ascension = np.arctan2(np.cos(obliquity) * np.sin(longitude), np.cos(longitude))
+    declination = np.arcsin(np.sin(obliquity) * np.sin(longitude))
+    sidereal = np.radians(280.46062 + 360.98564737 * days + longitude_deg)
+    hour, latitude = sidereal - right_ascension, np.radians(latitude_deg)
+    east = -np.cos(declination) * np.sin(hour)
+    north = np.cos(latitude) * np.sin(declination) - np.sin(latitude) * np.cos(declination) * np.cos(hour)
+    up = np.sin(latitude) * np.sin(declination) + np.cos(latitude) * np.cos(declination) * np.cos(hour)
+    return float(np.degrees(np.arctan2(east, north)) % 360), float(np.degrees(np.arcsin(np.clip(up, -1, 1))))

@@ -1,0 +1,223 @@
+"""Light and colour of the ground in a simulated photograph: relief, shadow, snow, rock, scree, grass and forest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from .render_cast import VOID_M
+from .render_noise import noise_tile, smoothstep
+
+ROCK = np.array([0.185, 0.170, 0.155], np.float32)
+WARM_ROCK = np.array([0.250, 0.195, 0.145], np.float32)
+SCREE = np.array([0.285, 0.270, 0.250], np.float32)
+GRASS = np.array([0.155, 0.150, 0.060], np.float32)
+FOREST = np.array([0.028, 0.045, 0.022], np.float32)
+SNOW = np.array([0.86, 0.88, 0.91], np.float32)
+WATER = np.array([0.02, 0.04, 0.05], np.float32)
+"""Albedos in linear red, green, blue."""
+
+TEXTURE_PERIODS_M = (9000.0, 700.0, 45.0, 3.0)
+"""Periods of the four texture tiles; each holds details down to 1/256 of its period."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """Terrain pixels of a view, flat.
+
+    Attributes
+    ----------
+    east_m, north_m, elevation_m, distance_m : (N,) arrays
+        Place of each pixel's ground [m].
+    sight : (N, 3) array
+        Unit vector from the ground to the eye: east, north, up.
+    pixel_m : (N,) array
+        Size of the pixel's footprint across the sight line [m].
+    """
+
+    east_m: np.ndarray
+    north_m: np.ndarray
+    elevation_m: np.ndarray
+    distance_m: np.ndarray
+    sight: np.ndarray
+    pixel_m: np.ndarray
+
+
+def shade_ground(ground, patch, frame, scene, sun_light, sky_light, levels):
+    """Radiance of the ground without the air in between.
+
+    Parameters
+    ----------
+    ground : Ground
+    patch : TerrainPatch
+    frame : LocalFrame
+    scene : SceneOptions
+    sun_light, sky_light : (3,) arrays
+        Irradiance of the sun across its rays, and of the open sky.
+    levels : (tree_line_m, snow_line_m)
+        [m].
+
+    Returns
+    -------
+    (N, 3) float32 array
+        Linear red, green, blue.
+    """
+    slope_east, slope_north = _slopes(ground, patch, frame)
+    steep = np.hypot(slope_east, slope_north)
+    facing = np.abs(_cosine(slope_east, slope_north, ground.sight))
+    footprint = ground.pixel_m / np.sqrt(np.maximum(facing, 0.06))
+    value, bump_east, bump_north = _texture(ground, footprint, steep, scene)
+    albedo, rough, water = _cover(ground, steep, slope_north, value, scene, levels)
+    slope_east = slope_east + rough * bump_east
+    slope_north = slope_north + rough * bump_north
+    sun = _sun_vector(scene)
+    lit = np.maximum(_cosine(slope_east, slope_north, sun), 0.0) * _sunlit(ground, patch, frame, scene)
+    open_sky = 0.5 + 0.5 / np.sqrt(1 + slope_east**2 + slope_north**2)
+    open_sky = open_sky * _openness(ground, patch, frame)
+    light = lit[:, None] * sun_light + open_sky[:, None] * sky_light
+    # Sunlit slopes light their neighbours: shadows on snow are never black.
+    light = light + 0.10 * sun_light * (0.3 + lit.mean()) * (1 - open_sky[:, None])
+    colour = albedo * light / np.pi * 2.2
+    return np.where(water[:, None], _mirror(ground, value, sky_light), colour).astype(np.float32)
+
+
+def _sun_vector(scene):
+    azimuth, elevation = np.radians(scene.sun_azimuth_deg), np.radians(scene.sun_elevation_deg)
+    return np.array([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
+
+
+def _cosine(slope_east, slope_north, direction):
+    """Cosine between the surface normal of a slope and a direction ((3,) or (N, 3))."""
+    direction = np.asarray(direction)
+    along = direction[..., 2] - slope_east * direction[..., 0] - slope_north * direction[..., 1]
+    return along / np.sqrt(1 + slope_east**2 + slope_north**2)
+
+
+def _slopes(ground, patch, frame):
+    """Slope of the terrain to the east and to the north, interpolated so that cells do not show as facets."""
+    known = patch.elevation_m > VOID_M / 10
+    down_rows, along_cols = np.gradient(np.where(known, patch.elevation_m, np.nan).astype(np.float32))
+    (col_e, col_n), (row_e, row_n) = frame.jacobian_px_per_m
+    slopes = (along_cols * col_e + down_rows * row_e, along_cols * col_n + down_rows * row_n)
+    return [
+        patch.sample(np.nan_to_num(s, nan=0.0), frame, ground.east_m, ground.north_m, 0.0).astype(np.float32)
+        for s in slopes
+    ]
+
+
+def _texture(ground, footprint_m, steep, scene):
+    """Fractal texture of the ground and the slope that it adds, over four scales.
+
+    On walls the plane position hardly changes from pixel to pixel, so height shears the lookup.
+    """
+    wall = np.minimum(steep, 3.0) * 0.0 + 0.8
+    x = ground.east_m + wall * ground.elevation_m
+    y = ground.north_m - 0.6 * wall * ground.elevation_m
+    value = np.zeros((ground.east_m.size, len(TEXTURE_PERIODS_M)), np.float32)
+    bump = np.zeros((ground.east_m.size, 2), np.float32)
+    for index, period in enumerate(TEXTURE_PERIODS_M):
+        cell = period / 256
+        tile = noise_tile(9100 + 13 * scene.seed + index, 1.25)
+        found = tile.sample(x / cell, y / cell, footprint_m / cell)
+        value[:, index] = found[:, 0]
+        # A slope per metre: relief of this scale is about 1 % of the period high.
+        bump += found[:, 1:] * np.float32(period * 0.006 / cell)
+    return value * scene.texture, bump[:, 0] * scene.texture, bump[:, 1] * scene.texture
+
+
+def _cover(ground, steep, slope_north, value, scene, levels):
+    """Albedo, roughness of the relief, and where water lies."""
+    tree_line, snow_line = levels
+    wide, middle, fine, near = value.T
+    height = ground.elevation_m
+    angle = np.degrees(np.arctan(steep)) + 4 * middle + 2.5 * fine
+    patchy = 120 * wide + 70 * middle + 30 * fine
+    # Sunny slopes carry trees and bare ground higher up; the shady side keeps its snow.
+    sunny = np.clip(slope_north / np.sqrt(1 + steep**2), -1, 1) * 150
+    strata = np.sin((height + 40 * middle + 300 * wide) / 23.0) * 0.12
+    rock = _mix(ROCK, WARM_ROCK, smoothstep(-1.2, 1.2, wide + 0.5 * middle))
+    rock = rock * (1 + 0.28 * middle + 0.22 * fine + 0.15 * near + strata)[:, None]
+    scree = SCREE * (1 + 0.12 * middle + 0.14 * fine + 0.16 * near)[:, None]
+    grass = GRASS * (1 + 0.18 * wide + 0.15 * middle + 0.2 * fine + 0.25 * near)[:, None]
+    forest = FOREST * (1 + 0.2 * middle + 0.45 * fine + 0.45 * near)[:, None]
+    colour = _mix(rock, scree, smoothstep(40, 33, angle))
+    grassy = smoothstep(tree_line + 520, tree_line + 80, height + patchy - sunny) * smoothstep(41, 31, angle)
+    colour = _mix(colour, grass, grassy)
+    wooded = smoothstep(tree_line + 60, tree_line - 90, height + patchy - sunny)
+    wooded = wooded * smoothstep(44, 36, angle) * smoothstep(-1.6, -0.6, middle + 0.6 * fine)
+    colour = _mix(colour, forest, wooded)
+    snowy = smoothstep(-90, 110, height - snow_line + 1.3 * patchy - sunny)
+    held = smoothstep(56, 44, angle + 5 * fine + 3 * near - 6 * smoothstep(0, 1200, height - snow_line))
+    snowy = snowy * held
+    colour = _mix(colour, SNOW * (1 + 0.03 * middle + 0.03 * fine)[:, None], snowy)
+    rough = 1.0 + 0.5 * wooded - 0.55 * snowy - 0.4 * grassy
+    water = np.zeros(height.shape, bool)
+    if scene.lake_elevation_m is not None:
+        water = height <= scene.lake_elevation_m + 0.5
+    return np.maximum(colour, 0.004), rough, water
+
+
+def _mirror(ground, value, sky_light):
+    """Water: the darker the steeper one looks down, with ripples (Schlick's approximation)."""
+    reflect = 0.02 + 0.98 * (1 - np.clip(ground.sight[:, 2], 0, 1)) ** 5
+    ripple = 1 + 0.08 * value[:, 2] + 0.08 * value[:, 3]
+    return WATER * 0.5 + (reflect * ripple)[:, None] * sky_light * 0.6
+
+
+def _mix(low, high, share):
+    return low + (high - low) * share[:, None]
+
+
+LIGHT_GRID = 900
+"""Shadow and openness are computed on at most this many cells per side."""
+
+
+def _coarse(patch, frame):
+    """Patch thinned for light: (elevations, thinning, ground size of a cell [m])."""
+    thin = max(1, int(np.ceil(max(patch.elevation_m.shape) / LIGHT_GRID)))
+    elevation = patch.elevation_m[::thin, ::thin].astype(np.float32)
+    known = elevation > VOID_M / 10
+    if not known.all():
+        elevation = np.where(known, elevation, elevation[known].min() if known.any() else 0.0)
+    return elevation, thin, frame.cell_m * thin
+
+
+def _look_up(field, thin, patch, frame, ground):
+    col, row = frame.to_pixel(ground.east_m, ground.north_m)
+    place = np.array([(row - patch.window.row) / thin, (col - patch.window.col) / thin])
+    return ndimage.map_coordinates(field, place, order=1, mode="nearest", output=np.float32)
+
+
+def _sunlit(ground, patch, frame, scene):
+    """Share of the sun's disc that the terrain towards it leaves free (0 to 1).
+
+    The shadow's height above each cell is a running maximum towards the sun; doubling the stride reaches across
+    the whole patch in a few shifts.
+    """
+    elevation, thin, _ = _coarse(patch, frame)
+    azimuth = np.radians(scene.sun_azimuth_deg)
+    rise_per_m = np.tan(np.radians(max(scene.sun_elevation_deg, 1.0)))
+    # One step of about one thinned cell towards the sun, in rows and columns of the thinned grid.
+    step_m = frame.cell_m * thin
+    step = frame.jacobian_px_per_m @ np.array([np.sin(azimuth), np.cos(azimuth)]) * step_m / thin
+    shadow = np.full_like(elevation, -1e5)
+    reach, highest = 1, elevation
+    span = float(elevation.max() - elevation.min())
+    while reach <= max(elevation.shape) and (reach == 1 or reach * step_m * rise_per_m / 2 < span):
+        offset = (-step[1] * reach, -step[0] * reach)
+        moved = ndimage.shift(highest, offset, order=1, mode="constant", cval=-1e5)
+        shadow = np.maximum(shadow, moved - reach * step_m * rise_per_m)
+        highest = np.maximum(elevation, shadow)
+        reach *= 2
+    clear = np.clip((elevation - shadow) / (0.5 * step_m * rise_per_m + 8.0) + 0.5, 0, 1)
+    return _look_up(clear.astype(np.float32), thin, patch, frame, ground)
+
+
+def _openness(ground, patch, frame):
+    """How open the place is to the sky: valleys are darker than crests."""
+    elevation, thin, cell_m = _coarse(patch, frame)
+    around = ndimage.gaussian_filter(elevation, max(700.0 / cell_m, 0.8))
+    hollow = np.clip((around - elevation) / 700.0, -0.5, 0.8)
+    return _look_up((0.85 - 0.5 * hollow).astype(np.float32), thin, patch, frame, ground)
