@@ -90,9 +90,7 @@ def annotate(pixels, full_width_px, points=(), strokes=(), width_px=1600):
     strokes = tuple(Stroke(shrink(s.x_px), shrink(s.y_px), s.visible) for s in strokes)
     widths = [words_width(p.words, _type_px(unit)) + 4 * unit for p in points]
     options = LabelOptions(line_px=19 * unit, gap_px=3 * unit, lead_px=16 * unit, longest_lead_px=320 * unit)
-    labels = lay_out_labels(
-        [p.x_px for p in points], [p.y_px for p in points], widths, (width_px, height_px), options
-    )
+    labels = lay_out_labels([p.x_px for p in points], [p.y_px for p in points], widths, (width_px, height_px), options)
     return Annotation(picture, unit, points, labels, strokes)
 
 

@@ -145,21 +145,44 @@ def project(camera, pose, azimuth_deg, elevation_deg):
     x_px, y_px : array
         Pixels, NaN for directions behind the camera (more than about 89.9 degrees off the axis).
     """
-    turn = np.radians(np.subtract(azimuth_deg, pose.heading_deg))
-    elevation, pitch, roll = np.radians(elevation_deg), np.radians(pose.pitch_deg), np.radians(pose.roll_deg)
-    right = np.cos(elevation) * np.sin(turn)
-    level = np.cos(elevation) * np.cos(turn)
-    rise = np.sin(elevation)
-    forward = level * np.cos(pitch) + rise * np.sin(pitch)
-    up = rise * np.cos(pitch) - level * np.sin(pitch)
-    x = right * np.cos(roll) - up * np.sin(roll)
-    y_up = up * np.cos(roll) + right * np.sin(roll)
+    azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
+    level = np.cos(elevation)
+    return project_vectors(camera, pose, level * np.sin(azimuth), level * np.cos(azimuth), np.sin(elevation))
+
+
+def project_vectors(camera, pose, east, north, up):
+    """Map directions given as vectors of any length to pixels; as `project`, without its trigonometry.
+
+    Parameters
+    ----------
+    camera : Camera
+    pose : Pose
+    east, north, up : array
+        Components in one unit; broadcast together.
+
+    Returns
+    -------
+    x_px, y_px : array
+        Pixels, NaN for directions behind the camera (more than about 89.9 degrees off the axis).
+    """
+    right, down, forward = to_camera_axes(pose, east, north, up)
     with np.errstate(divide="ignore", invalid="ignore"):
-        forward = np.where(forward > 1e-3, forward, np.nan)
-        x, y = x / forward, -y_up / forward
+        forward = np.where(forward > 1e-3 * np.sqrt(right**2 + down**2 + forward**2), forward, np.nan)
+        x, y = right / forward, down / forward
     x, y = _distort(camera, x, y)
     centre_x, centre_y = camera.centre_px
     return centre_x + camera.focal_px * x, centre_y + camera.focal_px * y
+
+
+def to_camera_axes(pose, east, north, up):
+    """Turn vectors from (east, north, up) to the camera's (right, down, forward), lengths kept."""
+    heading, pitch, roll = np.radians(pose.heading_deg), np.radians(pose.pitch_deg), np.radians(pose.roll_deg)
+    aside = np.multiply(east, np.cos(heading)) - np.multiply(north, np.sin(heading))
+    level = np.multiply(east, np.sin(heading)) + np.multiply(north, np.cos(heading))
+    forward = level * np.cos(pitch) + np.multiply(up, np.sin(pitch))
+    above = np.multiply(up, np.cos(pitch)) - level * np.sin(pitch)
+    right = aside * np.cos(roll) - above * np.sin(roll)
+    return right, -above * np.cos(roll) - aside * np.sin(roll), forward
 
 
 def unproject(camera, pose, x_px, y_px):

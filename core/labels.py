@@ -1,4 +1,4 @@
-"""Words on a picture without overlap: each name above its point, on a thin leader, or not at all.
+r"""Words on a picture without overlap: each name above its point, on a thin leader, or not at all.
 
 Labels are set greedily by priority. A label hangs on a vertical leader and may slide sideways as long as the leader
 still ends under it; it moves up line by line until it covers no label, no point and no leader set before::
@@ -6,7 +6,7 @@ still ends under it; it moves up line by line until it covers no label, no point
         Everest 8849 m
            |   Lhotse 8516 m
            |      |
-         _/\\_   _/\\__
+         _/\_   _/\__
 """
 
 from __future__ import annotations

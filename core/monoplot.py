@@ -118,9 +118,7 @@ def place_pixels(terrain, view, x_px, y_px, options=None, progress=SILENT):
     normal = normal_at(terrain, view.frame, hits.east_m, hits.north_m)
     slant = hits.distance_m / np.cos(np.radians(elevation))
     per_pixel = slant * _radians_per_pixel(view, x_px, y_px)
-    return PlacedPixels(
-        x_px, y_px, hits, azimuth, elevation, incidence_deg(normal, azimuth, elevation), per_pixel
-    )
+    return PlacedPixels(x_px, y_px, hits, azimuth, elevation, incidence_deg(normal, azimuth, elevation), per_pixel)
 
 
 def _with_refraction(options, view):

@@ -15,7 +15,7 @@ from .sightline import GROUND, VOID, SightOptions, cast_rays
 from .surface import elevation_at
 
 VISIBLE, HIDDEN, OUTSIDE, UNKNOWN = 1, 0, 2, 3
-"""Of a place: seen; behind terrain; not on the picture or too far; no elevation there or a hole in the DEM before it."""
+"""Of a place: seen; behind terrain; not on the picture or too far; no elevation there, or a hole in the DEM before."""
 
 STATE_NAMES = {VISIBLE: "visible", HIDDEN: "hidden", OUTSIDE: "outside", UNKNOWN: "unknown"}
 
@@ -194,8 +194,11 @@ def _runs(places, share):
         part = slice(start, min(stop + 1, places.state.size))
         runs.append(
             ProjectedRun(
-                int(places.state[start]), places.x_px[part], places.y_px[part],
-                (float(share[start]), float(share[part][-1])), places.distance_m[part],
+                int(places.state[start]),
+                places.x_px[part],
+                places.y_px[part],
+                (float(share[start]), float(share[part][-1])),
+                places.distance_m[part],
             )  # fmt: skip
         )
     return tuple(runs)

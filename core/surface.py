@@ -16,9 +16,9 @@ def sample_pixels(terrain, col_px, row_px):
     elevation = np.full(col.shape, np.nan)
     rows, cols = terrain.shape
     inside = np.flatnonzero((col >= -0.5) & (row >= -0.5) & (col <= cols - 0.5) & (row <= rows - 0.5))
-    tile = (row[inside] // TILE_CELLS).astype(np.int64) * (cols // TILE_CELLS + 3) + (
-        col[inside] // TILE_CELLS
-    ).astype(np.int64)
+    tile = (row[inside] // TILE_CELLS).astype(np.int64) * (cols // TILE_CELLS + 3) + (col[inside] // TILE_CELLS).astype(
+        np.int64
+    )
     order = np.argsort(tile, kind="stable")
     for members in np.split(inside[order], np.flatnonzero(np.diff(tile[order])) + 1):
         if members.size:

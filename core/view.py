@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .camera import Camera, Pose, in_frame, project, unproject
+from .camera import Camera, Pose, in_frame, project, project_vectors, unproject
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .frame import LocalFrame
 from .terrain import eye_elevation_m
@@ -40,19 +40,20 @@ class View:
         return unproject(self.camera, self.pose, x_px, y_px)
 
     def direction_of(self, east_m, north_m, elevation_m):
-        """Direction of places: true azimuth, elevation angle [degrees], and ground distance [m].
-
-        The elevation angle is the apparent one, lowered by curvature and raised by refraction.
-        """
+        """Direction of places: true azimuth, apparent elevation angle [degrees], and ground distance [m]."""
         distance = np.hypot(east_m, north_m)
-        rise = np.subtract(elevation_m, self.eye_elevation_m) - apparent_drop_m(distance, self.refraction_coefficient)
         azimuth = np.mod(np.degrees(np.arctan2(east_m, north_m)), 360.0)
-        return azimuth, np.degrees(np.arctan2(rise, distance)), distance
+        elevation = np.degrees(np.arctan2(self.rise_of(east_m, north_m, elevation_m), distance))
+        return azimuth, elevation, distance
 
     def pixel_of(self, east_m, north_m, elevation_m):
         """Pixels (x, y) of places, whether or not anything hides them; NaN behind the camera."""
-        azimuth, elevation, _ = self.direction_of(east_m, north_m, elevation_m)
-        return project(self.camera, self.pose, azimuth, elevation)
+        return project_vectors(self.camera, self.pose, east_m, north_m, self.rise_of(east_m, north_m, elevation_m))
+
+    def rise_of(self, east_m, north_m, elevation_m):
+        """Apparent height of places above the eye's horizontal plane, curvature and refraction included [m]."""
+        drop = apparent_drop_m(np.hypot(east_m, north_m), self.refraction_coefficient)
+        return np.subtract(elevation_m, self.eye_elevation_m) - drop
 
     def frames(self, x_px, y_px):
         """Tell which pixels lie on the picture."""
