@@ -169,6 +169,8 @@ def _floats(value):
 
 def _float(value):
     """Turn a number or a fraction of any reader into a float; x/0 is NaN."""
+    if isinstance(value, tuple) and len(value) == 1:  # how ExifRead gives the floating point types
+        value = value[0]
     try:
         return float(value)
     except ZeroDivisionError:

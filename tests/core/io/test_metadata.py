@@ -1,0 +1,203 @@
+"""Meaning of EXIF tags, on tags as `read_tags` gives them."""
+
+from datetime import datetime
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from skyline_viewshed.core.io.metadata import interpret
+
+NAN = float("nan")
+BERNE = {
+    "GPSLatitude": (46.0, 57.0, 3.9),
+    "GPSLatitudeRef": "N",
+    "GPSLongitude": (7.0, 26.0, 19.1),
+    "GPSLongitudeRef": "E",
+}
+
+
+def fields(**tags):
+    return interpret(tags, 4000, 3000)
+
+
+def test_without_tags_everything_is_unknown():
+    found = fields()
+    assert found.pop("orientation") == 1
+    assert found.pop("notes") == ()
+    assert set(found.values()) == {None}
+
+
+@pytest.mark.parametrize("south, north_sign", [("N", 1), ("S", -1), ("s", -1)])
+@pytest.mark.parametrize("west, east_sign", [("E", 1), ("W", -1), ("w", -1)])
+def test_hemispheres(south, north_sign, west, east_sign):
+    found = fields(**{**BERNE, "GPSLatitudeRef": south, "GPSLongitudeRef": west})
+    assert found["latitude_deg"] == pytest.approx(north_sign * (46 + 57 / 60 + 3.9 / 3600))
+    assert found["longitude_deg"] == pytest.approx(east_sign * (7 + 26 / 60 + 19.1 / 3600))
+
+
+def test_minutes_and_seconds_may_be_missing():
+    found = fields(**{**BERNE, "GPSLatitude": (46.951083,), "GPSLongitude": (7.0, 26.318)})
+    assert found["latitude_deg"] == pytest.approx(46.951083)
+    assert found["longitude_deg"] == pytest.approx(7 + 26.318 / 60)
+
+
+@pytest.mark.parametrize(
+    "latitude, longitude, why",
+    [
+        ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), "are 0, 0"),
+        ((NAN, NAN, NAN), (NAN, NAN, NAN), "not numbers"),
+        ((48.0, 53.3, NAN), (21.0, 2.6, NAN), "not numbers"),
+        ((46.0, 57.0, float("inf")), (7.0, 26.0, 0.0), "not numbers"),
+        ((91.0, 0.0, 0.0), (7.0, 0.0, 0.0), "outside the globe"),
+        ((46.0, 0.0, 0.0), (180.0, 1.0, 0.0), "outside the globe"),
+    ],
+)
+def test_impossible_coordinates_are_ignored_and_the_reason_kept(latitude, longitude, why):
+    found = fields(**{**BERNE, "GPSLatitude": latitude, "GPSLongitude": longitude})
+    assert found["latitude_deg"] is None
+    assert found["longitude_deg"] is None
+    assert why in found["notes"][0]
+
+
+def test_a_place_on_the_equator_or_the_meridian_is_a_place():
+    found = fields(**{**BERNE, "GPSLatitude": (0.0, 0.0, 0.0)})
+    assert found["latitude_deg"] == 0
+    assert found["longitude_deg"] > 7
+
+
+def test_half_a_position_is_none():
+    assert fields(GPSLatitude=(46.0, 0.0, 0.0), GPSLatitudeRef="N")["latitude_deg"] is None
+
+
+def test_a_missing_hemisphere_is_told():
+    found = fields(GPSLatitude=(46.0, 0.0, 0.0), GPSLongitude=(7.0, 0.0, 0.0))
+    assert found["latitude_deg"] == 46
+    assert "hemisphere" in found["notes"][0]
+
+
+@pytest.mark.parametrize(
+    "tags, altitude_m, reference",
+    [
+        ({"GPSAltitude": (2851.07,), "GPSAltitudeRef": (0.0,)}, 2851.07, "sea level"),
+        ({"GPSAltitude": (2851.07,)}, 2851.07, "sea level"),
+        ({"GPSAltitude": (412.0,), "GPSAltitudeRef": (1.0,)}, -412.0, "below sea level"),
+        ({"GPSAltitude": (-412.0,), "GPSAltitudeRef": (1.0,)}, -412.0, "below sea level"),
+        ({"GPSAltitude": (500.0,), "GPSAltitudeRef": (2.0,)}, 500.0, "ellipsoid"),
+        ({"GPSAltitude": (20.0,), "GPSAltitudeRef": (3.0,)}, -20.0, "ellipsoid"),
+        ({"GPSAltitude": (0.0,), "GPSAltitudeRef": (0.0,)}, 0.0, "sea level"),
+        ({"GPSAltitudeRef": (0.0,)}, None, None),
+        ({"GPSAltitude": (NAN,), "GPSAltitudeRef": (0.0,)}, None, None),
+        ({"GPSAltitude": (4e9,)}, None, None),
+    ],
+)
+def test_altitude_and_its_reference(tags, altitude_m, reference):
+    found = fields(**tags)
+    assert found["altitude_m"] == altitude_m
+    assert found["altitude_reference"] == reference
+
+
+@pytest.mark.parametrize(
+    "tags, heading_deg, reference",
+    [
+        ({"GPSImgDirection": (212.9,), "GPSImgDirectionRef": "T"}, 212.9, "T"),
+        ({"GPSImgDirection": (348.0,), "GPSImgDirectionRef": "M"}, 348.0, "M"),
+        ({"GPSImgDirection": (360.0,), "GPSImgDirectionRef": "T"}, 0.0, "T"),
+        ({"GPSImgDirection": (12.0,)}, 12.0, None),
+        ({"GPSImgDirection": (12.0,), "GPSImgDirectionRef": "X"}, 12.0, None),
+        ({"GPSImgDirectionRef": "T"}, None, None),
+        ({"GPSImgDirection": (700.0,), "GPSImgDirectionRef": "T"}, None, None),
+        ({"GPSImgDirection": (NAN,), "GPSImgDirectionRef": "T"}, None, None),
+    ],
+)
+def test_compass_heading_and_its_reference(tags, heading_deg, reference):
+    found = fields(**tags)
+    assert found["compass_heading_deg"] == heading_deg
+    assert found["compass_reference"] == reference
+
+
+def test_zero_means_unknown_for_lengths_and_errors():
+    found = fields(FocalLengthIn35mmFilm=(0.0,), FocalLength=(0.0,), GPSHPositioningError=(0.0,))
+    assert found["focal_length_35mm"] is None
+    assert found["focal_length_mm"] is None
+    assert found["position_error_m"] is None
+
+
+def test_the_recorded_equivalent_stands_as_it_is():
+    # Phones have the digital zoom in it already (Khumbu: 47 to 163 mm with one and the same lens).
+    found = fields(FocalLengthIn35mmFilm=(55.0,), FocalLength=(6.86,), DigitalZoomRatio=(1.14,))
+    assert found["focal_length_35mm"] == 55
+    assert found["notes"] == ()
+
+
+def full_frame(width_px, height_px, unit, per_unit_mm, **extra):
+    """Tags of a 36 x 24 mm sensor whose stored picture has the given size."""
+    tags = {
+        "FocalLength": (50.0,),
+        "FocalPlaneXResolution": (width_px / 36 * per_unit_mm,),
+        "FocalPlaneYResolution": (height_px / 24 * per_unit_mm,),
+        "FocalPlaneResolutionUnit": (unit,),
+        "PixelXDimension": (float(width_px),),
+        "PixelYDimension": (float(height_px),),
+    }
+    return {**tags, **extra}
+
+
+@pytest.mark.parametrize("unit, per_unit_mm", [(2.0, 25.4), (3.0, 10.0), (4.0, 1.0)])
+def test_the_focal_plane_gives_the_equivalent_where_none_is_recorded(unit, per_unit_mm):
+    found = interpret(full_frame(6000, 4000, unit, per_unit_mm), 6000, 4000)
+    assert found["focal_length_35mm"] == pytest.approx(50.0)
+    assert "derived" in found["notes"][0]
+
+
+def test_a_resampled_copy_keeps_its_field_and_a_cropped_one_loses_it():
+    tags = full_frame(6000, 4000, 2.0, 25.4)
+    assert interpret(tags, 1500, 1000)["focal_length_35mm"] == pytest.approx(50.0)
+    assert interpret(tags, 3000, 3000)["focal_length_35mm"] is None
+
+
+def test_digital_zoom_narrows_a_derived_field():
+    tags = full_frame(6000, 4000, 2.0, 25.4, DigitalZoomRatio=(2.0,))
+    assert interpret(tags, 6000, 4000)["focal_length_35mm"] == pytest.approx(100.0)
+
+
+def test_an_impossible_sensor_gives_nothing():
+    tags = {**full_frame(6000, 4000, 2.0, 25.4), "FocalPlaneXResolution": (72.0,), "FocalPlaneYResolution": (72.0,)}
+    assert interpret(tags, 6000, 4000)["focal_length_35mm"] is None
+
+
+@pytest.mark.parametrize("recorded, orientation", [(6.0, 6), (0.0, 1), (9.0, 1), (NAN, 1), (2.5, 1)])
+def test_orientation_is_1_to_8(recorded, orientation):
+    assert fields(Orientation=(recorded,))["orientation"] == orientation
+
+
+def test_time_falls_back_and_nonsense_is_unknown():
+    assert fields(DateTimeOriginal="2023:10:27 06:47:48")["taken_at"] == datetime(2023, 10, 27, 6, 47, 48)
+    assert fields(DateTimeOriginal="    ", DateTime="2020:01:02 03:04:05")["taken_at"] == datetime(2020, 1, 2, 3, 4, 5)
+    assert fields(DateTimeOriginal="0000:00:00 00:00:00")["taken_at"] is None
+
+
+def test_maker_and_model_are_joined_without_repetition():
+    assert fields(Make="Apple", Model="iPhone 15")["camera"] == "Apple iPhone 15"
+    assert fields(Make="Canon", Model="Canon EOS 5D")["camera"] == "Canon EOS 5D"
+    assert fields(Model="X100")["camera"] == "X100"
+    assert fields(Make="Apple")["camera"] == "Apple"
+
+
+NUMBERS = st.lists(st.floats(allow_nan=True, allow_infinity=True), min_size=1, max_size=4).map(tuple)
+NAMES = ["GPSLatitude", "GPSLongitude", "GPSAltitude", "GPSAltitudeRef", "GPSImgDirection", "GPSHPositioningError",
+         "FocalLength", "FocalLengthIn35mmFilm", "FocalPlaneXResolution", "FocalPlaneYResolution", "Orientation",
+         "FocalPlaneResolutionUnit", "PixelXDimension", "PixelYDimension", "DigitalZoomRatio"]  # fmt: skip
+TEXTS = ["GPSLatitudeRef", "GPSLongitudeRef", "GPSImgDirectionRef", "DateTimeOriginal", "DateTime", "Make", "Model"]
+
+
+@settings(max_examples=300, deadline=None, derandomize=True, database=None)
+@given(st.dictionaries(st.sampled_from(NAMES), NUMBERS), st.dictionaries(st.sampled_from(TEXTS), st.text(max_size=30)))
+def test_whatever_the_tags_say_the_fields_are_finite_and_in_range(numbers, texts):
+    found = interpret({**numbers, **texts}, 4000, 3000)
+    for name in ("altitude_m", "focal_length_35mm", "focal_length_mm", "compass_heading_deg", "position_error_m"):
+        assert found[name] is None or np.isfinite(found[name])
+    if found["latitude_deg"] is not None:
+        assert abs(found["latitude_deg"]) <= 90
+        assert abs(found["longitude_deg"]) <= 180
+    assert found["compass_heading_deg"] is None or 0 <= found["compass_heading_deg"] < 360
