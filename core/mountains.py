@@ -80,9 +80,7 @@ def make_mountains(seed, options: MountainOptions | None = None, progress: Progr
     repose = np.tan(np.radians(options.repose_deg))
     surface = _slide(surface, options.cell_m, repose, passes=10)
     surface = surface + roughness(surface, options.cell_m, max(carved_cell_m, options.cell_m), tile_seed)
-    return ArrayTerrain(
-        surface.astype(np.float32), options.cell_m, options.longitude_deg, options.latitude_deg
-    )
+    return ArrayTerrain(surface.astype(np.float32), options.cell_m, options.longitude_deg, options.latitude_deg)
 
 
 def roughness(elevation_m, cell_m, coarse_cell_m, seed, strength=0.22, origin_px=(0, 0)):

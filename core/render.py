@@ -19,8 +19,16 @@ from .render_foreground import draw_foreground
 from .render_scene import SceneOptions
 from .render_sensor import develop
 from .render_shading import Ground, shade_ground
-from .render_sky import air_light, cloud_colour, clouds_before, clouds_behind, sky_light, sky_radiance, sun_light
-from .render_sky import transmission
+from .render_sky import (
+    air_light,
+    cloud_colour,
+    clouds_before,
+    clouds_behind,
+    sky_light,
+    sky_radiance,
+    sun_light,
+    transmission,
+)
 from .terrain import Observer, Terrain, eye_elevation_m, ground_elevation_m
 
 LOWEST_EYE_M = 0.5
@@ -121,7 +129,7 @@ def render_view(
     skyline = skyline_row_px(fan, camera, pose)
     ridge = np.interp(turn.ravel(), fan.azimuth_deg - pose.heading_deg, fan.highest[:, -1]).reshape(turn.shape)
     truth = _Seen(turn, tangent, ridge, distance, east, north, elevation, solid)
-    radiance = _light(truth, patch, frame, camera, pose, scene, eye_m)
+    radiance = _soften(_light(truth, patch, frame, camera, pose, scene, eye_m), skyline)
     checkpoint(progress, 0.8)
     radiance, cover = _obstruct(radiance, truth, skyline, scene, pose)
     pixels = develop(radiance, camera, scene)
@@ -178,9 +186,18 @@ def _light(seen, patch, frame, camera, pose, scene, eye_m):
     own = shade_ground(ground, patch, frame, scene, sun, sky, levels)
     through = transmission(distance * slant, eye_m, elevation, scene.visibility_m)
     air = air_light(seen.turn_deg[solid], scene, pose.heading_deg)
-    hazy = own * through + air * (1 - through)
-    # The pixel at the skyline holds both sky and ground.
-    radiance[solid] = hazy
+    radiance[solid] = own * through + air * (1 - through)
+    return radiance
+
+
+def _soften(radiance, skyline):
+    """Mix sky and ground in the pixels that hold both, in proportion to their shares of the column."""
+    column = np.flatnonzero(np.isfinite(skyline))
+    first = np.clip(np.ceil(skyline[column]), 1, radiance.shape[0] - 1).astype(np.intp)
+    sky, ground = radiance[first - 1, column].copy(), radiance[first, column].copy()
+    for row, colour_of_row in ((first - 1, sky), (first, ground)):
+        share = np.clip(row + 0.5 - skyline[column], 0, 1)[:, None]
+        radiance[row, column] = np.where((share > 0) & (share < 1), sky + share * (ground - sky), colour_of_row)
     return radiance
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from .render_noise import noise_tile
 
 NEEDLES = np.array([0.020, 0.030, 0.016])
-JACKETS = np.array([[0.30, 0.05, 0.04], [0.04, 0.08, 0.25], [0.35, 0.22, 0.03], [0.05, 0.05, 0.05], [0.05, 0.18, 0.10]])
+JACKETS = np.array([[0.16, 0.03, 0.03], [0.03, 0.05, 0.12], [0.20, 0.13, 0.03], [0.03, 0.03, 0.03], [0.04, 0.09, 0.06]])
 
 
 def draw_foreground(shape, ridge_row_px, scene):
@@ -73,7 +73,7 @@ def _conifer_half_width(down, half, noise):
 def _person_half_width(down, half, noise):
     """Half width of a standing person: head, neck, shoulders, trunk."""
     head = np.sqrt(np.clip(1 - ((down - 0.08) / 0.08) ** 2, 0, 1)) * 0.36
-    trunk = np.where(down > 0.17, np.minimum(0.25 + (down - 0.17) * 9, 1.0), 0.0)
+    trunk = np.where(down > 0.13, 0.16 + 0.84 * np.sqrt(np.clip((down - 0.15) / 0.09, 0, 1)), 0.0)
     return half * np.maximum(head, trunk * (1 - 0.12 * down)) * (1 + 0.04 * noise)
 
 
@@ -94,7 +94,7 @@ def _paint(opacity, colour, place, shape_of, tile, generator):
     inside = shape_of(down, half, noise) - np.abs(cols[None, :] - x)
     mask = np.clip(inside + 0.5, 0, 1).astype(np.float32)
     before = (opacity[first_row:, left:right] > 0.5).any(axis=0)
-    light = np.clip(1 + 0.45 * noise + 0.5 * (cols[None, :] - x) / max(half, 1.0), 0.25, 2.2)[..., None]
+    light = np.clip(1 + 0.3 * noise + 0.5 * (cols[None, :] - x) / max(half, 1.0), 0.25, 2.2)[..., None]
     part = colour[first_row:, left:right]
     part += mask[..., None] * (tint * light - part)
     seen = opacity[first_row:, left:right]

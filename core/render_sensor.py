@@ -59,7 +59,7 @@ def _exposure(picture):
 
 
 def _tone(linear):
-    """sRGB encoding with a shoulder for highlights and slightly raised contrast."""
+    """SRGB encoding with a shoulder for highlights and slightly raised contrast."""
     shoulder = np.where(linear > 0.6, 0.6 + 0.4 * np.tanh((linear - 0.6) / 0.4), linear)
     encoded = np.clip(shoulder, 0, 1) ** (1 / 2.2)
     return (encoded + 0.10 * (encoded - 0.5) * (1 - (2 * encoded - 1) ** 2)).astype(np.float32)

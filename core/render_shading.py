@@ -11,10 +11,10 @@ from .render_cast import VOID_M
 from .render_noise import noise_tile, smoothstep
 
 ROCK = np.array([0.185, 0.170, 0.155], np.float32)
-WARM_ROCK = np.array([0.250, 0.195, 0.145], np.float32)
+WARM_ROCK = np.array([0.225, 0.190, 0.155], np.float32)
 SCREE = np.array([0.285, 0.270, 0.250], np.float32)
-GRASS = np.array([0.155, 0.150, 0.060], np.float32)
-FOREST = np.array([0.028, 0.045, 0.022], np.float32)
+GRASS = np.array([0.130, 0.118, 0.066], np.float32)
+FOREST = np.array([0.034, 0.042, 0.028], np.float32)
 SNOW = np.array([0.86, 0.88, 0.91], np.float32)
 WATER = np.array([0.02, 0.04, 0.05], np.float32)
 """Albedos in linear red, green, blue."""
@@ -68,7 +68,7 @@ def shade_ground(ground, patch, frame, scene, sun_light, sky_light, levels):
     steep = np.hypot(slope_east, slope_north)
     facing = np.abs(_cosine(slope_east, slope_north, ground.sight))
     footprint = ground.pixel_m / np.sqrt(np.maximum(facing, 0.06))
-    value, bump_east, bump_north = _texture(ground, footprint, steep, scene)
+    value, bump_east, bump_north = _texture(ground, footprint, scene)
     albedo, rough, water = _cover(ground, steep, slope_north, value, scene, levels)
     slope_east = slope_east + rough * bump_east
     slope_north = slope_north + rough * bump_north
@@ -107,14 +107,13 @@ def _slopes(ground, patch, frame):
     ]
 
 
-def _texture(ground, footprint_m, steep, scene):
+def _texture(ground, footprint_m, scene):
     """Fractal texture of the ground and the slope that it adds, over four scales.
 
     On walls the plane position hardly changes from pixel to pixel, so height shears the lookup.
     """
-    wall = np.minimum(steep, 3.0) * 0.0 + 0.8
-    x = ground.east_m + wall * ground.elevation_m
-    y = ground.north_m - 0.6 * wall * ground.elevation_m
+    x = ground.east_m + 0.8 * ground.elevation_m
+    y = ground.north_m - 0.5 * ground.elevation_m
     value = np.zeros((ground.east_m.size, len(TEXTURE_PERIODS_M)), np.float32)
     bump = np.zeros((ground.east_m.size, 2), np.float32)
     for index, period in enumerate(TEXTURE_PERIODS_M):
