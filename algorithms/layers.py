@@ -69,18 +69,39 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
         raise QgsProcessingException(algorithm.invalidSourceError(parameters, name))
     to_wgs84 = wgs84_transform(source, context) if needs_position else None
     column = None if path_field is None else path_column(algorithm, parameters, context, source, path_field)
-    columns = {key: algorithm.parameterAsString(parameters, key, context) for key in number_fields}
+    columns = {key: number_column(algorithm, parameters, context, source, key) for key in number_fields}
     folders = () if column is None else base_folders(algorithm, parameters, context, name)
     rows = []
     for feature in source.getFeatures():
         longitude, latitude = position_of(feature, to_wgs84) if needs_position else (None, None)
         path = None if column is None else absolute_path(feature[column], folders)
-        label = Path(path).name if path else tr("Point {id}").format(id=feature.id())
+        label = Path(path).name if path else label_of(feature)
         values = {key: number_or_none(feature[field]) if field else None for key, field in columns.items()}
         rows.append(PointRow(feature, label, longitude, latitude, path, values))
     if not rows:
         raise QgsProcessingException(tr("The layer of points has no feature. Choose another, or clear the selection."))
     return source, rows
+
+
+def label_of(feature):
+    """Name of a point for messages: its photo's, where it has one, else its number."""
+    for name in ("photo", "filename", "name"):
+        index = feature.fields().lookupField(name)
+        if index >= 0 and not is_null(feature[index]):
+            return Path(str(feature[index])).name
+    return tr("Point {id}").format(id=feature.id())
+
+
+def number_column(algorithm, parameters, context, source, name):
+    """Field of a parameter, or None: none chosen, or a default that this layer does not have."""
+    chosen = algorithm.parameterAsString(parameters, name, context)
+    if not chosen or source.fields().lookupField(chosen) >= 0:
+        return chosen or None
+    if chosen == algorithm.parameterDefinition(name).defaultValue():
+        return None
+    raise QgsProcessingException(
+        tr("The layer has no field {field} ({name}). Choose another.").format(field=chosen, name=name)
+    )
 
 
 def wgs84_transform(source, context):

@@ -51,12 +51,12 @@ def add_terrain_parameters(algorithm):
         algorithm.addParameter(shared.advanced(parameter))
 
 
-def options_of(algorithm, parameters, context):
-    """Options of the core from the parameters."""
+def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
+    """Options of the core from the parameters; `horizon_distance` names the one with the search range."""
     from ..core.pipeline import OrientOptions
 
     horizon = HorizonOptions(
-        max_distance_m=algorithm.parameterAsDouble(parameters, "MAX_DISTANCE", context),
+        max_distance_m=algorithm.parameterAsDouble(parameters, horizon_distance, context),
         refraction_coefficient=algorithm.parameterAsDouble(parameters, "REFRACTION", context),
     )
     return OrientOptions(

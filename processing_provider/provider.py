@@ -13,11 +13,14 @@ ROOT = Path(__file__).resolve().parent.parent
 PROVIDER_ID = "skylineviewshed"
 
 ALGORITHMS = (
+    ("photo_viewshed", "PhotoViewshed"),
     ("import_photos", "ImportPhotos"),
     ("extract_skyline", "ExtractSkyline"),
     ("horizon_profile", "HorizonProfile"),
     ("orient_photos", "OrientPhotos"),
+    ("directed_viewshed", "DirectedViewshed"),
     ("measure_offsets", "MeasureOffsets"),
+    ("simulate_photos", "SimulatePhotos"),
 )
 """(module under `algorithms`, class), in the order of the work."""
 
@@ -54,6 +57,14 @@ class SkylineViewshedProvider(QgsProcessingProvider):
     def svgIconPath(self):
         """Path of the same icon, which the toolbox prefers."""
         return str(ROOT / "icons" / "provider.svg")
+
+    def supportedOutputRasterLayerExtensions(self):
+        """We write GeoTIFF only."""
+        return ["tif", "tiff"]
+
+    def defaultRasterFileExtension(self):
+        """Ending of temporary rasters."""
+        return "tif"
 
     def loadAlgorithms(self):
         """Add the algorithms, then the models that are built from them."""

@@ -89,10 +89,7 @@ def write_photo(path, pixels, metadata, quality=92):
 
 
 def _pillow():
-    require("PIL", "Writing photographs")
-    from PIL import Image
-
-    return Image
+    return require("PIL.Image", "Writing photographs")
 
 
 def _exif(image_module, metadata, orientation):

@@ -1,0 +1,152 @@
+"""Oriented points and a DEM -> the ground that the photographs show, as raster and polygons."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessing, QgsProcessingOutputNumber
+
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .i18n import tr
+from .layers import read_points
+from .viewshed_outputs import ViewshedOutputs
+from .visibility import Sight, add_range_parameters, range_fault, see_each, viewshed_options
+
+POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
+
+
+class DirectedViewshed(SkylineAlgorithm):
+    """Compute which ground oriented photographs show."""
+
+    ID = "directedviewshed"
+    GROUP_ID = "terrain"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Directed viewshed")
+
+    def tags(self):
+        """Search words."""
+        return tr("viewshed,visibility,photo,field of view,frustum,wedge,dem,sector").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Ground that oriented photographs show: cumulative raster and one polygon per photo")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? "
+                "<i>Photo frame</i> uses heading, pitch, roll and both fields of view; <i>heading wedge</i> only "
+                "heading and horizontal field of view; <i>full circle</i> none of them."
+            ),
+            tr(
+                "The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is "
+                "unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are "
+                "true and distances ground metres, whatever the coordinate system."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        from ..core.viewshed import ViewshedOptions
+
+        defaults = ViewshedOptions()
+        points = shared.photo_source()
+        points.setDescription(tr("Oriented photo points"))
+        self.addParameter(points)
+        self.addParameter(shared.dem())
+        self.addParameter(shared.band())
+        for parameter in pose_parameters():
+            self.addParameter(parameter)
+        self.addParameter(
+            shared.advanced(
+                shared.number_field(
+                    "HEIGHT_FIELD",
+                    tr("Field with the camera's elevation (m)"),
+                    tr("Absolute elevation in the DEM's height system. NULL: DEM plus camera height."),
+                )
+            )
+        )
+        self.addParameter(shared.sector())
+        self.addParameter(shared.max_distance(defaults.max_distance_m))
+        add_range_parameters(self)
+        self.addParameter(shared.advanced(shared.refraction(defaults.refraction_coefficient)))
+        self.addParameter(shared.raster_out("OUTPUT", tr("Viewshed")))
+        self.addParameter(
+            shared.points_out(
+                "POLYGONS", tr("Ground in view"), QgsProcessing.SourceType.TypeVectorPolygon, optional=True
+            )
+        )
+        self.addParameter(
+            shared.folder_out(
+                "RASTERS",
+                tr("Folder for one raster per photo"),
+                tr("GeoTIFFs: 1 seen, 0 not seen, nodata unknown."),
+            )
+        )
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of viewsheds")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM and the range."""
+        return dem_fault(self, parameters, context) or range_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def run(self, parameters, context, feedback):
+        """Compute photo by photo, then write."""
+        _, rows = read_points(self, parameters, context, "INPUT", None, [*POSE_FIELDS, "HEIGHT_FIELD"])
+        sights = [sight_of(row) for row in rows]
+        kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
+        eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+        options, dem = viewshed_options(self, parameters, context), self.dem.open()
+        folder = self.parameterAsString(parameters, "RASTERS", context)
+        outputs = ViewshedOutputs(dem, folder)
+        for sight, viewshed in see_each(sights, dem, kind, eye_height_m, options, feedback, (0.0, 0.9)):
+            outputs.add(sight, viewshed)
+        results = {
+            "OUTPUT": outputs.write_count(self, parameters, "OUTPUT", context, feedback),
+            "POLYGONS": outputs.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs),
+            "COUNT": len(outputs.rows),
+        }
+        return {**results, "RASTERS": folder} if folder else results
+
+
+def pose_parameters():
+    """Field parameters in the order of `POSE_FIELDS`."""
+    field = shared.number_field
+    heading = field("HEADING_FIELD", tr("Field with the heading (°)"), tr("True, clockwise from north."), "heading")
+    others = [
+        field("HFOV_FIELD", tr("Field with the horizontal field of view (°)"), tr("Of the upright picture."), "hfov"),
+        field("PITCH_FIELD", tr("Field with the pitch (°)"), tr("Up is positive. NULL: wedge, not frame."), "pitch"),
+        field("ROLL_FIELD", tr("Field with the roll (°)"), tr("Right side down is positive. NULL: 0."), "roll"),
+        field("VFOV_FIELD", tr("Field with the vertical field of view (°)"), tr("NULL: wedge, not frame."), "vfov"),
+    ]
+    return [heading, *map(shared.advanced, others)]
+
+
+def sight_of(row):
+    """Pose of a feature by its fields."""
+    names = row.feature.fields().names()
+    photo = row.feature["photo"] if "photo" in names else None
+    photo = str(photo) if isinstance(photo, str) and photo else None
+    numbers = row.numbers
+    return Sight(
+        name=Path(photo).name if photo else row.name,
+        photo=photo,
+        source_id=row.feature.id(),
+        longitude_deg=row.longitude_deg,
+        latitude_deg=row.latitude_deg,
+        eye_elevation_m=numbers["HEIGHT_FIELD"],
+        heading_deg=numbers["HEADING_FIELD"],
+        pitch_deg=numbers["PITCH_FIELD"],
+        roll_deg=numbers["ROLL_FIELD"],
+        hfov_deg=numbers["HFOV_FIELD"],
+        vfov_deg=numbers["VFOV_FIELD"],
+    )

@@ -1,0 +1,199 @@
+"""Folder or layer of photographs and a DEM -> oriented points, ground in view, and a report, in one run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsProcessingParameterBoolean
+
+from ..core.progress import subtask
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .feedback import FeedbackProgress
+from .folder_photos import folder_fault, photo_rows
+from .i18n import tr
+from .orientation import (
+    add_field_parameters,
+    options_of,
+    orient_each,
+    oriented_row,
+    requests_of,
+    summary,
+)
+from .oriented import oriented_specs
+from .outputs import write_features
+from .reporting import PhotoReport
+from .rescue import add_rescue_parameters
+from .styling import style_on_completion
+from .viewshed_outputs import ViewshedOutputs
+from .visibility import Sight, add_range_parameters, range_fault, see, viewshed_options
+
+
+class PhotoViewshed(SkylineAlgorithm):
+    """The whole pipeline in one algorithm."""
+
+    ID = "photoviewshed"
+    GROUP_ID = "all"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Photos to viewsheds")
+
+    def tags(self):
+        """Search words."""
+        return tr("photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("From mountain photographs and a DEM to headings, ground in view and a report")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation "
+                "model, and computes the ground that it shows. Choose a folder, or a layer of photo points."
+            ),
+            tr(
+                "Open the report to judge each match: one card per photograph, with the horizon drawn over the "
+                "picture. Photographs whose heading is doubtful (status <i>ambiguous</i>) get no viewshed unless you "
+                "ask for it under Advanced; with the <i>paper</i> method, which does not test its answers, all get one."
+            ),
+            tr("Distances are ground metres and headings count from true north, whatever the coordinate systems."),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        from ..core.horizon import HorizonOptions
+        from ..core.viewshed import ViewshedOptions
+
+        self.addParameter(
+            shared.folder_in(
+                "FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files with a GPS position."), optional=True
+            )
+        )
+        self.addParameter(shared.photo_source(optional=True))
+        self.addParameter(shared.dem())
+        self.addParameter(shared.max_distance(ViewshedOptions().max_distance_m))
+        self.addParameter(shared.sector())
+        recursive = QgsProcessingParameterBoolean("RECURSIVE", tr("Folders inside the folder too"), False)
+        doubtful = QgsProcessingParameterBoolean("DOUBTFUL", tr("Viewsheds of doubtful photos too"), False)
+        horizon_distance = shared.distance(
+            "HORIZON_DISTANCE",
+            tr("Search range of the horizon (m)"),
+            HorizonOptions().max_distance_m,
+            tr("How far the mountains of the skyline may be, in ground metres."),
+            minimum=100.0,
+        )
+        for parameter in (
+            shared.explained(recursive, tr("Look into all folders below as well.")),
+            shared.photo_field(),
+            shared.band(),
+            shared.method(),
+            shared.compass(),
+            shared.explained(doubtful, tr("Show the ground for the best heading even where another is as likely.")),
+            horizon_distance,
+            shared.refraction(HorizonOptions().refraction_coefficient),
+        ):
+            self.addParameter(shared.advanced(parameter))
+        add_range_parameters(self)
+        add_field_parameters(self)
+        add_rescue_parameters(self)
+        self._add_outputs()
+
+    def _add_outputs(self):
+        polygon = QgsProcessing.SourceType.TypeVectorPolygon
+        self.addParameter(shared.points_out("OUTPUT", tr("Oriented photos")))
+        self.addParameter(shared.points_out("POLYGONS", tr("Ground in view"), polygon))
+        self.addParameter(shared.raster_out("VIEWSHED", tr("Viewshed")))
+        self.addParameter(shared.report_out())
+        self.addParameter(
+            shared.folder_out(
+                "RASTERS", tr("Folder for one raster per photo"), tr("GeoTIFFs: 1 seen, 0 not seen, nodata unknown.")
+            )
+        )
+        for name, label in (
+            ("COUNT", tr("Number of photos")),
+            ("ACCEPTED", tr("Number of accepted photos")),
+            ("VIEWSHEDS", tr("Number of viewsheds")),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def input_fault(self, parameters, context):
+        """Check the photographs, the DEM and the range."""
+        return (
+            folder_fault(self, parameters, context)
+            or dem_fault(self, parameters, context)
+            or range_fault(self, parameters, context)
+        )
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def run(self, parameters, context, feedback):
+        """Orient a photo, compute what it shows, take the next; then write."""
+        photos = photo_rows(self, parameters, context, feedback)
+        options = options_of(self, parameters, context, "HORIZON_DISTANCE")
+        requests = requests_of(self, parameters, context, photos.rows)
+        dem = self.dem.open()
+        ground = ViewshedOutputs(dem, self.parameterAsString(parameters, "RASTERS", context))
+        features, statuses = [], []
+        with PhotoReport(self, parameters, context, len(photos.rows)) as report:
+            viewer = self._viewer(parameters, context, dem, feedback, options.method, len(photos.rows))
+            for row, oriented in zip(photos.rows, orient_each(requests, dem, options, feedback, (0.0, 0.8))):
+                features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
+                statuses.append(oriented.orientation.status)
+                sight = sight_of(row, oriented)
+                viewshed = viewer(sight, oriented.orientation.status, len(statuses) - 1)
+                report.add(oriented, None if viewshed is None else ground.add(sight, viewshed))
+            feedback.pushInfo(summary(statuses))
+            outputs = self._write(parameters, context, feedback, photos, features, ground)
+        counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
+        return {**outputs, **counts, **report.outputs()}
+
+    def _viewer(self, parameters, context, dem, feedback, method, count):
+        """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
+        kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
+        options = viewshed_options(self, parameters, context)
+        eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+        doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
+        progress = subtask(FeedbackProgress(feedback), 0.0, 0.95)
+
+        def view(sight, status, index):
+            if sight.heading_deg is None or not (status == "accepted" or doubtful):
+                return None
+            part = subtask(progress, (index + 0.8) / count, (index + 1) / count)
+            return see(sight, dem, kind, eye_height_m, options, feedback, part)
+
+        return view
+
+    def _write(self, parameters, context, feedback, photos, features, ground):
+        viewshed = ground.write_count(self, parameters, "VIEWSHED", context, feedback)
+        polygons = ground.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs)
+        output = write_features(
+            self, parameters, "OUTPUT", context, photos.fields, photos.wkb_type, photos.crs, features
+        )
+        style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
+        results = {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
+        return {**results, "RASTERS": ground.folder} if ground.folder else results
+
+
+def sight_of(row, oriented):
+    """Pose of a photo just oriented."""
+    best, camera = oriented.orientation.best, oriented.camera
+    return Sight(
+        name=Path(oriented.path).name if oriented.path else row.name,
+        photo=oriented.path or None,
+        source_id=row.feature.id(),
+        longitude_deg=oriented.longitude_deg,
+        latitude_deg=oriented.latitude_deg,
+        eye_elevation_m=oriented.eye_elevation_m,
+        heading_deg=None if best is None else best.pose.heading_deg % 360,
+        pitch_deg=None if best is None else best.pose.pitch_deg,
+        roll_deg=None if best is None else best.pose.roll_deg,
+        hfov_deg=None if camera is None else camera.hfov_deg,
+        vfov_deg=None if camera is None else camera.vfov_deg,
+    )

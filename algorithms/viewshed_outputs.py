@@ -1,0 +1,130 @@
+"""Count raster, polygons and per-photo rasters of viewsheds, gathered photo by photo and written at the end."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsGeometry, QgsProcessingException, QgsWkbTypes
+
+from ..core.progress import checkpoint
+from .feedback import FeedbackProgress
+from .fields import FieldSpec, qgis_fields
+from .i18n import tr
+from .outputs import make_folder_of, write_features
+from .styling import style_on_completion
+from .visibility import file_stem
+
+COUNT_NODATA = 65535
+UNKNOWN = 255
+STRIP_ROWS = 256
+
+
+class ViewshedOutputs:
+    """What a run's viewsheds become.
+
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    folder : str
+        For one GeoTIFF per photo; empty where not wanted. Each is whole before the next begins.
+    smallest_m2 : float
+        Polygon parts below this are dropped [m2].
+    """
+
+    def __init__(self, dem, folder=""):
+        from ..core.viewshed_count import SeenCount
+
+        self.dem, self.folder = dem, folder
+        self.count, self.rows, self._names = SeenCount(dem.shape), [], set()
+
+    def add(self, sight, viewshed):
+        """Take one photo's viewshed in; gives its facts in words, for the report."""
+        from ..core.io.polygons import viewshed_polygons
+        from ..core.io.write_raster import write_raster
+
+        ground = viewshed_polygons(viewshed, self.dem)
+        self.count.add(viewshed.window, viewshed.values)
+        self.rows.append(polygon_row(sight, ground))
+        if self.folder:
+            Path(self.folder).mkdir(parents=True, exist_ok=True)
+            target = Path(self.folder) / f"{file_stem(sight, self._names)}.tif"
+            facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
+            write_raster(target, viewshed.values, self.dem, viewshed.window, nodata=UNKNOWN, metadata=facts)
+        return {
+            tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²",
+            tr("Farthest ground in view"): tr("none")
+            if ground.farthest_m is None
+            else f"{ground.farthest_m / 1e3:.1f} km",
+        }
+
+    def write_count(self, algorithm, parameters, name, context, feedback):
+        """Write the raster of counts; gives its path, or None where it is not wanted."""
+        from ..core.io.write_raster import new_raster
+
+        path = algorithm.parameterAsOutputLayer(parameters, name, context)
+        if not path:
+            return None
+        make_folder_of(path)
+        facts = {"CONTENT": "number of photographs that see the cell", "PHOTOS": self.count.photos}
+        description = ["photographs that see the cell"]
+        with new_raster(
+            path, self.dem, dtype="uint16", nodata=COUNT_NODATA, descriptions=description, metadata=facts
+        ) as file:
+            for row, values in self._strips(feedback):
+                file.write(values, row)
+        style_on_completion(context, path, "viewshed", tr("Viewshed"), (), algorithm.displayName())
+        return path
+
+    def _strips(self, feedback):
+        """Yield (first row, counts) from north to south; voids of the DEM are nodata."""
+        import numpy as np
+
+        from ..core.terrain import Window
+
+        progress, (rows, cols) = FeedbackProgress(feedback), self.dem.shape
+        for row in range(0, rows, STRIP_ROWS):
+            checkpoint(progress, 0.95 + 0.05 * row / rows)
+            height = min(STRIP_ROWS, rows - row)
+            seen, unknown = self.count.strip(row, height)
+            unknown |= np.isnan(self.dem.read(Window(row, 0, height, cols))) & (seen == 0)
+            seen[unknown] = COUNT_NODATA
+            yield row, seen
+
+    def write_polygons(self, algorithm, parameters, name, context, crs):
+        """Write the polygons; gives the layer's id, or None where it is not wanted."""
+        specs = polygon_specs()
+        output = write_features(
+            algorithm,
+            parameters,
+            name,
+            context,
+            qgis_fields(specs),
+            QgsWkbTypes.Type.MultiPolygon,
+            crs,
+            self.rows,
+        )
+        style_on_completion(context, output, "polygons", tr("Ground in view"), specs, algorithm.displayName())
+        return output
+
+
+def polygon_row(sight, ground):
+    """Geometry and attributes of one photo's ground."""
+    geometry = QgsGeometry()
+    if ground.wkb is not None:
+        geometry.fromWkb(ground.wkb)
+        if geometry.isNull():
+            raise QgsProcessingException(tr("The polygon of {name} could not be built.").format(name=sight.name))
+    values = [sight.photo, sight.source_id, sight.heading_deg, sight.hfov_deg, ground.area_m2, ground.farthest_m]
+    return geometry, values
+
+
+def polygon_specs():
+    """Fields of the polygons."""
+    return [
+        FieldSpec("photo", "text", tr("Photo")),
+        FieldSpec("source_id", "whole", tr("Source point")),
+        FieldSpec("heading", "real", tr("Heading (° from true north)")),
+        FieldSpec("hfov", "real", tr("Horizontal field of view (°)")),
+        FieldSpec("area_m2", "real", tr("Ground in view (m²)")),
+        FieldSpec("farthest_m", "real", tr("Farthest ground in view (m)")),
+    ]
