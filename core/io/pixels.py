@@ -146,8 +146,8 @@ def _gdal_size(path, kind):
 
 def _decode_gdal(path, kind, max_side_px):
     dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
-    if dataset is None:
-        return None
+    if dataset is None or dataset.GetRasterBand(1).GetColorTable() is not None:
+        return None  # palette numbers are no colours
     with quiet_gdal(warnings=True) as messages:
         try:
             bands = dataset.ReadAsArray()
