@@ -68,10 +68,13 @@ def horizon_line(horizon, camera, pose):
 
 
 def skyline_line(skyline, width_px, height_px):
-    """Bring an extracted skyline to pixels of the full upright picture of `width_px` x `height_px`."""
+    """Bring an extracted skyline to pixels of the full upright picture of `width_px` x `height_px`.
+
+    The line is the boundary: the upper edge of the first terrain pixels.
+    """
     row = np.asarray(skyline.row_px, float)
     x = (np.arange(len(row)) + 0.5) * (width_px / skyline.width_px) - 0.5
-    y = (row + 0.5) * (height_px / skyline.height_px) - 0.5
+    y = row * (height_px / skyline.height_px) - 0.5
     return OverlayLine(x, y, ~np.asarray(skyline.valid, bool))
 
 

@@ -51,7 +51,7 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True):
         alpha = resized(_evidence_alpha(photo.evidence), width_px, height_px)
         tint(pixels, alpha * (EVIDENCE_OPACITY / 255), EVIDENCE)
     extracted, horizons = photo_lines(photo)
-    scale, unit = width_px / full_width, max(width_px, height_px) / 1280
+    scale, unit = width_px / full_width, max(max(width_px, height_px) / 1280, 0.75)
     for rank, horizon in reversed(list(enumerate(horizons))):
         if rank == 0 and extracted is not None:
             _draw(pixels, extracted, scale, EXTRACTED, 4.5 * unit, casing=1.2 * unit, opacity=0.85)

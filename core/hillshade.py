@@ -28,8 +28,7 @@ def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, ex
 
     Notes
     -----
-    A neighbour that is unknown or outside is replaced by the reflection of the opposite one through the cell
-    (the slope goes on), or by the cell itself where both are missing.
+    Beside unknown cells and at the edge the differences are one-sided or of fewer rows; a lone cell is flat.
 
     References
     ----------
@@ -43,7 +42,7 @@ def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, ex
     if elevation.size == 0:
         return elevation.copy()
     east, south = _horn_gradient(elevation)
-    east, south = east * (exaggeration / (8 * cell_x)), south * (exaggeration / (8 * cell_y))
+    east, south = east * (exaggeration / cell_x), south * (exaggeration / cell_y)
     light, height = np.radians(azimuth_deg), np.radians(altitude_deg)
     # The surface's upward normal is (-dz/dx, -dz/dy, 1); y points north, rows run south.
     facing = -east * np.sin(light) + south * np.cos(light)
@@ -52,21 +51,29 @@ def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, ex
 
 
 def _horn_gradient(elevation):
-    """Eight times the rise per cell to the east and to the south, by Horn's 1-2-1 weights."""
+    """Rise per cell to the east and to the south: differences of three rows (columns), weighted 1-2-1."""
     padded = np.pad(elevation, 1, constant_values=np.nan)
+    rows, cols = elevation.shape
 
-    def neighbour(down, right):
-        rows, cols = elevation.shape
-        near = padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
-        far = padded[1 - down : 1 - down + rows, 1 - right : 1 - right + cols]
-        near = np.where(np.isfinite(near), near, 2 * elevation - far)
-        return np.where(np.isfinite(near), near, elevation)
+    def at(down, right):
+        return padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
 
-    east, south = np.zeros_like(elevation), np.zeros_like(elevation)
-    for down in (-1, 0, 1):
-        for right in (-1, 0, 1):
-            if down or right:
-                value = neighbour(down, right)
-                east += right * (2 - abs(down)) * value
-                south += down * (2 - abs(right)) * value
+    east = _weighted([_rise(at(side, -1), at(side, 0), at(side, 1)) for side in (-1, 0, 1)])
+    south = _weighted([_rise(at(-1, side), at(0, side), at(1, side)) for side in (-1, 0, 1)])
     return east, south
+
+
+def _rise(before, here, after):
+    """Central difference, or the one-sided one where a side is unknown; NaN where nothing is left to compare."""
+    central = (after - before) / 2
+    one_sided = np.where(np.isfinite(after - here), after - here, here - before)
+    return np.where(np.isfinite(central), central, one_sided)
+
+
+def _weighted(rises):
+    total, weights = np.zeros_like(rises[0]), np.zeros_like(rises[0])
+    for weight, rise in zip((1, 2, 1), rises):
+        known = np.isfinite(rise)
+        total += weight * np.where(known, rise, 0)
+        weights += weight * known
+    return total / np.maximum(weights, 1)
