@@ -14,6 +14,7 @@ import numpy as np
 from . import imaging
 from .compass import compass_prior, true_heading_deg
 from .curvature import apparent_drop_m
+from .declination import declination_deg
 from .errors import MissingMetadataError, MissingPackageError, PhotoError
 from .horizon import horizon_profile
 from .io.crs import WGS84, Transformer, local_plane
@@ -160,7 +161,7 @@ def _orient(request, dem, options, cache, progress):
     longitude, latitude, given = _position(request, metadata)
     observer = Observer(longitude, latitude, request.eye_height_m, request.eye_elevation_m)
     prior = camera_prior(metadata, request.hfov_deg)
-    compass = true_heading_deg(metadata, _declination_deg(metadata, longitude, latitude))
+    compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
     hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
     horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
     error = request.position_error_m
@@ -198,10 +199,11 @@ def _usable(longitude_deg, latitude_deg):
     return (longitude_deg, latitude_deg) != (0, 0)
 
 
-def _declination_deg(metadata, longitude_deg, latitude_deg):
-    if metadata.compass_heading_deg is None or metadata.compass_reference != "M":
-        return 0.0
-    return 0.0
+def _declination(metadata, longitude_deg, latitude_deg):
+    """Declination at the photo's place and time; None where it cannot be known."""
+    if metadata.compass_reference != "M" or metadata.taken_at is None:
+        return None
+    return declination_deg(latitude_deg, longitude_deg, metadata.altitude_m or 0.0, metadata.taken_at)
 
 
 def _hints(request, metadata, dem, observer, compass_deg):

@@ -39,16 +39,21 @@ class CompassOptions:
             raise ValueError("the shares of bad readings must add up to between 0 and 1")
 
 
-def true_heading_deg(metadata, declination_deg=0.0):
-    """Recorded heading against true north [degrees], or None.
+def true_heading_deg(metadata, declination_deg=None):
+    """Recorded heading against true north [degrees], or None where there is none or it cannot be turned to true.
 
-    A magnetic reading is turned by the declination (east of true north positive) [degrees]. Without a reference
-    the reading is taken as it is.
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+        A reading without a reference is taken as true.
+    declination_deg : float or None
+        Bearing of magnetic north at the photo's place and time, east of true north positive [degrees].
     """
     if metadata.compass_heading_deg is None:
         return None
-    magnetic = metadata.compass_reference == "M"
-    return float(wrap_360(metadata.compass_heading_deg + (declination_deg if magnetic else 0.0)))
+    if metadata.compass_reference != "M":
+        return float(wrap_360(metadata.compass_heading_deg))
+    return None if declination_deg is None else float(wrap_360(metadata.compass_heading_deg + declination_deg))
 
 
 def compass_prior(heading_deg, options=CompassOptions()):

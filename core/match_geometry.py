@@ -18,6 +18,10 @@ FIXED_POINT_STEPS = 4
 """Steps that bring a horizon point onto its column: each leaves about a quarter of the error at 8 degrees of roll."""
 
 
+LARGEST_SLIP_PX = 1.0
+"""A point that is farther than this from its column after the last step was not found."""
+
+
 class HorizonCurve:
     """A horizon profile prepared for look-ups at any azimuth.
 
@@ -65,6 +69,34 @@ def _filled(values, known):
     return np.interp(index, index[known], values[known], period=len(values))
 
 
+def project_trials(camera, trials, azimuth_deg, elevation_deg):
+    """Pixels at which each trial camera sees directions.
+
+    Parameters
+    ----------
+    camera : Camera
+        Prior camera of the (reduced) picture.
+    trials : (K, 5) array
+        See `PARAMETERS`.
+    azimuth_deg, elevation_deg : (K, N) or (N,) arrays
+        [degrees]
+
+    Returns
+    -------
+    x_px, y_px : (K, N) arrays
+        NaN behind the camera.
+    """
+    heading, pitch, roll, log_focal, k1 = (column[:, None] for column in np.atleast_2d(trials).T)
+    plain = replace(camera, k1=0.0, k2=0.0)
+    centre_x, centre_y = camera.centre_px
+    x, y = project(plain, Pose(heading, pitch, roll), azimuth_deg, elevation_deg)
+    x, y = (x - centre_x) / camera.focal_px, (y - centre_y) / camera.focal_px
+    radius2 = x * x + y * y
+    gain = 1 + (camera.k1 + k1) * radius2 + camera.k2 * radius2 * radius2
+    focal = camera.focal_px * np.exp(log_focal)
+    return centre_x + focal * gain * x, centre_y + focal * gain * y
+
+
 def horizon_rows(curve, camera, trials, columns):
     """Row at which each trial camera sees the horizon in each column.
 
@@ -72,7 +104,6 @@ def horizon_rows(curve, camera, trials, columns):
     ----------
     curve : HorizonCurve
     camera : Camera
-        Prior camera of the (reduced) picture.
     trials : (K, 5) array
         See `PARAMETERS`.
     columns : (C,) array
@@ -81,29 +112,18 @@ def horizon_rows(curve, camera, trials, columns):
     Returns
     -------
     row_px : (K, C) array
-        NaN where the horizon cannot be brought onto the column (behind the camera).
+        NaN where no point of the horizon comes to lie on the column.
     azimuth_deg : (K, C) array
         Azimuth of the horizon point that is seen there.
     """
     trials = np.atleast_2d(trials)
-    heading, pitch, roll, log_focal, k1 = (column[:, None] for column in trials.T)
-    focal = camera.focal_px * np.exp(log_focal)
-    centre_x, centre_y = camera.centre_px
-    across = (np.asarray(columns, float) - centre_x) / focal
-    pose = Pose(heading, pitch, roll)
-    plain = replace(camera, k1=0.0, k2=0.0)
-    turn = np.arctan(across / np.cos(np.radians(pitch)))
+    columns = np.asarray(columns, float)
+    focal = camera.focal_px * np.exp(trials[:, 3:4])
+    across = (columns - camera.centre_px[0]) / focal
+    turn = np.arctan(across / np.cos(np.radians(trials[:, 1:2])))
     for step in range(FIXED_POINT_STEPS):
-        azimuth = heading + np.degrees(turn)
-        x, y = project(plain, pose, azimuth, curve.elevation_at(azimuth))
-        x, y = (x - centre_x) / camera.focal_px, (y - centre_y) / camera.focal_px
-        gain = _radial_gain(camera, k1, x, y)
+        azimuth = trials[:, :1] + np.degrees(turn)
+        x, y = project_trials(camera, trials, azimuth, curve.elevation_at(azimuth))
         if step < FIXED_POINT_STEPS - 1:
-            turn = turn + (across - x * gain) / (1 + np.square(across))
-            turn = np.clip(turn, -1.5, 1.5)
-    return centre_y + focal * y * gain, azimuth
-
-
-def _radial_gain(camera, k1, x, y):
-    radius2 = x * x + y * y
-    return 1 + (camera.k1 + k1) * radius2 + camera.k2 * radius2 * radius2
+            turn = np.clip(turn + (columns - x) / focal / (1 + np.square(across)), -1.5, 1.5)
+    return np.where(np.abs(x - columns) < LARGEST_SLIP_PX, y, np.nan), azimuth

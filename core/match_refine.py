@@ -14,11 +14,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .match_geometry import horizon_rows
+from .match_geometry import horizon_rows, project_trials
 from .progress import SILENT, checkpoint
 
 PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
 """Steps of the numerical derivatives of rows, in the order of `match_geometry.PARAMETERS`."""
+
+
+LARGEST_MISS = 300.0
+"""Cap on a landmark's miss in standard deviations; also what a landmark behind the camera counts."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,8 @@ class Objective:
         self.options, self.landmarks = options, tuple(landmarks)
         self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, focal_sigma, options.k1_sigma])
         self.free = self.sigma > 0
+        place = [(m.azimuth_deg, m.elevation_deg, m.x_px, m.y_px, m.sigma_px) for m in self.landmarks]
+        self._landmark = np.array(place, float).reshape(-1, 5).T
 
     def columns(self, stride):
         """Every `stride`-th of the picture's columns that have evidence."""
@@ -93,7 +99,15 @@ class Objective:
         columns = self.columns(stride)
         row, tolerance = self.rows(trials, columns)
         value = self.stack.look_up(columns, row, tolerance * np.reshape(scale, (-1, 1)))
-        return value.mean(axis=1) - self._penalty(trials)
+        miss = 0.5 * np.square(self.landmark_residual(trials)).sum(axis=1) / self.options.effective_columns
+        return value.mean(axis=1) - self._penalty(trials) - miss
+
+    def landmark_residual(self, trials):
+        """Misses of the landmarks, in their standard deviations: (K, 2 M)."""
+        azimuth, elevation, x, y, sigma = self._landmark
+        seen_x, seen_y = project_trials(self.camera, trials, azimuth, elevation)
+        miss = np.concatenate([(seen_x - x) / sigma, (seen_y - y) / sigma], axis=1)
+        return np.nan_to_num(np.clip(miss, -LARGEST_MISS, LARGEST_MISS), nan=LARGEST_MISS)
 
     def step(self, trials, scale, stride):
         """Gradient (K, 5) and positive curvature (K, 5, 5) of the score."""
@@ -116,6 +130,9 @@ class Objective:
         curvature = np.einsum("kc,kci,kcj->kij", weight, jacobian, jacobian) / len(columns)
         pull, stiffness = self._penalty_derivatives(trials)
         gradient, curvature = gradient - pull, curvature + stiffness
+        if self.landmarks:
+            pull, stiffness = self._landmark_derivatives(trials)
+            gradient, curvature = gradient - pull, curvature + stiffness
         gradient[:, ~self.free] = 0.0
         return gradient, curvature
 
@@ -125,6 +142,17 @@ class Objective:
         moved = trials.copy()
         moved[:, parameter] += PROBE[parameter]
         return (self.rows(moved, columns)[0] - row) / PROBE[parameter]
+
+    def _landmark_derivatives(self, trials):
+        miss = self.landmark_residual(trials)
+        jacobian = np.zeros((*miss.shape, len(PROBE)))
+        for parameter in np.flatnonzero(self.free):
+            moved = trials.copy()
+            moved[:, parameter] += PROBE[parameter]
+            jacobian[..., parameter] = (self.landmark_residual(moved) - miss) / PROBE[parameter]
+        pull = np.einsum("km,kmj->kj", miss, jacobian)
+        stiffness = np.einsum("kmi,kmj->kij", jacobian, jacobian)
+        return pull / self.options.effective_columns, stiffness / self.options.effective_columns
 
     def _penalty(self, trials):
         total = 2.5 * np.log1p(np.square(trials[:, 2] / self.sigma[2]) / 4)

@@ -12,7 +12,8 @@ import numpy as np
 from .angles import wrap_360
 from .camera import Pose
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
-from .match_geometry import HorizonCurve
+from .match_geometry import HorizonCurve, horizon_rows
+from .match_hints import landmark_notes, scale_landmarks, starting_pose
 from .match_paper import correlation
 from .match_posterior import Finding, PosteriorOptions, answer_probabilities, interval, p_correct, verdict
 from .match_prior import log_ratio
@@ -81,9 +82,13 @@ def match_robust(
     camera = camera_prior.camera.scaled(width, height)
     curve = HorizonCurve(horizon)
     stack = EvidenceStack(evidence.probability, options.evidence)
-    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine)
+    marks = scale_landmarks(landmarks, camera_prior.camera, camera)
+    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks)
     coarse = coarse_search(stack, camera, curve, evidence.probability, options.search, subtask(progress, 0.0, 0.4))
-    trials, score = _fit(objective, coarse.candidates, heading_prior, options, subtask(progress, 0.4, 1.0))
+    starts = [starting_pose(camera, mark) for mark in marks]
+    starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
+    starts = np.concatenate([starts, coarse.candidates])
+    trials, score = _fit(objective, starts, heading_prior, options, subtask(progress, 0.4, 1.0))
     finding = _finding(objective, trials, score, position_error_m, options)
     best_probability = p_correct(finding)
     probability = answer_probabilities(finding, best_probability)
@@ -108,6 +113,7 @@ def match_robust(
         ncc=ncc,
         ncc_second=second,
         residual_px=residual,
+        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose),
     )
 
 
@@ -157,8 +163,6 @@ def _finding(objective, trials, score, position_error_m, options):
 
 
 def _typical_distance(objective, trial, columns):
-    from .match_geometry import horizon_rows
-
     _, azimuth = horizon_rows(objective.curve, objective.camera, trial[None], columns)
     return float(np.median(objective.curve.distance_m[objective.curve.nearest(azimuth[0])]))
 

@@ -1,0 +1,57 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from skyline_viewshed.core.match_evidence import EvidenceOptions, EvidenceStack
+
+
+def single_row(row, height=101, width=7):
+    probability = np.zeros((height, width), np.float32)
+    probability[row] = 1
+    return probability
+
+
+def test_a_certain_row_gives_the_mixture_of_a_gaussian_and_a_flat_outlier():
+    stack = EvidenceStack(single_row(50), EvidenceOptions(outlier_share=0.2))
+    offset = np.arange(-10, 11)
+    found = stack.look_up(np.full(21, 3), 49.5 + offset, 3.0 * np.ones(21))
+    bell = np.exp(-0.5 * (offset / 3) ** 2) / np.sqrt(2 * np.pi) / 3
+    # Between two tolerances of the table the value is interpolated, hence not exact.
+    assert np.allclose(found, np.log1p(4 * 101 * bell), atol=0.1)
+    exact = stack.at_tolerance(3.0)[40:61, 3]
+    assert np.allclose(exact, np.log1p(4 * 101 * bell), atol=1e-3)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.floats(0.5, 40))
+def test_evidence_is_never_negative_and_saturates(seed, tolerance):
+    rng = np.random.default_rng(seed)
+    probability = rng.dirichlet(np.full(60, 0.1), size=8).T.astype(np.float32)
+    stack = EvidenceStack(probability)
+    value = stack.look_up(rng.integers(0, 8, 200), rng.uniform(-20, 80, 200), np.full(200, tolerance))
+    assert (value >= 0).all()
+    assert (value <= np.log1p(4 * 60)).all()
+
+
+def test_rows_outside_the_picture_earn_nothing():
+    stack = EvidenceStack(single_row(0))
+    value = stack.look_up(np.zeros(3, int), np.array([-1.0, 101.0, np.nan]), np.ones(3))
+    assert (value == 0).all()
+
+
+def test_evidence_does_not_wrap_from_the_last_row_to_the_first():
+    stack = EvidenceStack(single_row(100))
+    assert stack.at_tolerance(30.0)[0].max() < stack.at_tolerance(30.0)[60].min()
+
+
+def test_columns_without_information_are_told_apart():
+    probability = np.full((50, 4), 1 / 50, np.float32)
+    probability[:, 2] = single_row(20, 50, 1)[:, 0]
+    assert EvidenceStack(probability).informative.tolist() == [2]
+
+
+def test_impossible_options_are_refused():
+    with pytest.raises(ValueError, match="outlier share"):
+        EvidenceOptions(outlier_share=0)
+    with pytest.raises(ValueError, match="tolerances"):
+        EvidenceOptions(finest_px=5, coarsest_px=2)

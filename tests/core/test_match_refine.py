@@ -1,0 +1,62 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.match_evidence import EvidenceStack
+from skyline_viewshed.core.match_geometry import HorizonCurve
+from skyline_viewshed.core.match_refine import Objective, RefineOptions, distinct, refine
+
+
+def objective_of(scene, focal_sigma=0.025, **options):
+    probability = scene.evidence.probability
+    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
+    return Objective(
+        EvidenceStack(probability), camera, HorizonCurve(scene.horizon), focal_sigma, RefineOptions(**options)
+    )
+
+
+def test_a_start_two_degrees_off_reaches_the_pose(match_scenes):
+    scene = match_scenes.scene(6, 200.0, 2.0, 3.0, focal_scale=1.02)
+    objective = objective_of(scene)
+    trials = np.array([[201.5, 3.0, 0.0, 0.0, 0.0]])
+    for scale in (3.0, 1.0):
+        trials, _ = refine(objective, trials, scale, iterations=12)
+    heading, pitch, roll, log_focal, _ = trials[0]
+    assert abs(heading - 200.0) < 0.05
+    assert abs(pitch - 2.0) < 0.1
+    assert abs(roll - 3.0) < 0.3
+    assert abs(np.exp(log_focal) - 1.02) < 0.01
+
+
+def test_no_step_lowers_the_score(match_scenes):
+    objective = objective_of(match_scenes.scene(7))
+    rng = np.random.default_rng(0)
+    starts = np.column_stack([rng.uniform(0, 360, 20), rng.uniform(-5, 10, 20), *np.zeros((3, 20))])
+    before = objective.score(starts, 3.0, 4)
+    _, after = refine(objective, starts, 3.0, stride=4)
+    assert (after >= before - 1e-12).all()
+
+
+def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_scenes):
+    objective = objective_of(match_scenes.scene(8))
+    trial = np.array([[10.0, 70.0, 2.0, 0.01, 0.0]])  # looks into the sky: the horizon is out of the frame
+    gradient, _ = objective.step(trial, 1.0, 4)
+    step = 1e-5
+    for parameter in (2, 3):
+        up, down = trial.copy(), trial.copy()
+        up[0, parameter] += step
+        down[0, parameter] -= step
+        slope = (objective.score(up, 1.0, 4) - objective.score(down, 1.0, 4)) / (2 * step)
+        assert gradient[0, parameter] == pytest.approx(slope[0], rel=1e-3, abs=1e-6)
+
+
+def test_far_terrain_is_held_to_a_tighter_tolerance_than_near(match_scenes):
+    scene = match_scenes.scene(9)
+    distance = np.where(scene.horizon.azimuth_deg < 123, 800.0, 40_000.0)
+    objective = objective_of(replace(scene, horizon=replace(scene.horizon, distance_m=distance)))
+    _, tolerance = objective.rows(np.array([[123.4, 3.0, 0.0, 0.0, 0.0]]), np.arange(256))
+    assert tolerance[0, 10] > 2 * tolerance[0, 245]
+
+
+def test_distinct_answers_are_counted_across_north():
+    assert distinct(np.array([359.5, 0.4, 10.0]), np.array([1.0, 2.0, 0.5]), 1.5) == [1, 2]
