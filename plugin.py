@@ -31,7 +31,15 @@ class SkylineViewshedPlugin:
         self._install_translation()
         # QGIS does not own a Python provider: without this reference its algorithms would vanish.
         self.provider = SkylineViewshedProvider()
-        QgsApplication.processingRegistry().addProvider(self.provider)
+        registry = QgsApplication.processingRegistry()
+        registry.addProvider(self.provider)
+        # Models find their steps only in registered providers: ours now, others perhaps later.
+        self.provider.refreshAlgorithms()
+        registry.providerAdded.connect(self._renew_models)
+
+    def _renew_models(self, provider_id):
+        if self.provider is not None and provider_id in ("native", "qgis", "gdal"):
+            self.provider.refreshAlgorithms()
 
     def initGui(self):
         """Start within the desktop."""
@@ -40,7 +48,9 @@ class SkylineViewshedPlugin:
     def unload(self):
         """Leave QGIS as it was."""
         if self.provider is not None:
-            QgsApplication.processingRegistry().removeProvider(self.provider)
+            registry = QgsApplication.processingRegistry()
+            registry.providerAdded.disconnect(self._renew_models)
+            registry.removeProvider(self.provider)
             self.provider = None
         if self.translator is not None:
             QCoreApplication.removeTranslator(self.translator)

@@ -6,8 +6,10 @@ from configparser import ConfigParser
 from importlib import import_module
 from pathlib import Path
 
-from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
+
+from .models import shipped_models
 
 ROOT = Path(__file__).resolve().parent.parent
 PROVIDER_ID = "skylineviewshed"
@@ -70,8 +72,5 @@ class SkylineViewshedProvider(QgsProcessingProvider):
         """Add the algorithms, then the models that are built from them."""
         for module, name in ALGORITHMS:
             self.addAlgorithm(getattr(import_module(f"..algorithms.{module}", __package__), name)())
-        for path in sorted((ROOT / "models").glob("*.model3")):
-            model = QgsProcessingModelAlgorithm()
-            if model.fromFile(str(path)):
-                model.setProvider(self)
-                self.addAlgorithm(model)
+        for model in shipped_models():
+            self.addAlgorithm(model)
