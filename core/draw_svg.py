@@ -14,6 +14,8 @@ import numpy as np
 from .angles import wrap_360
 from .draw_text import escape
 
+NAMESPACE = "http://www.w3.org/2000/svg"
+
 LIGHT = {
     "ink": "#1c2430",
     "muted": "#5d6978",
@@ -151,15 +153,15 @@ def figure(width, height, title, description, *parts, class_="figure"):
     """Wrap parts into an accessible drawing: role, name and description are read out, the name also on hovering."""
     body = "".join((element("title", escape(title)), element("desc", escape(description, 2000)), *parts))
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="{class_}" viewBox="0 0 {_number(width)} {_number(height)}" '
+        f'<svg class="{class_}" viewBox="0 0 {_number(width)} {_number(height)}" '
         f'role="img" aria-label="{escape(title)}">{body}</svg>'
     )
 
 
 def standalone(drawing):
-    """Put the style sheet into a figure, for a file of its own that follows the viewer's light or dark theme."""
-    end = drawing.index(">") + 1
-    return f"{drawing[:end]}<style>{STYLE}</style>{drawing[end:]}"
+    """Make a figure a file of its own: with its name space, and a style sheet that follows light or dark themes."""
+    end = drawing.index(">")
+    return f'{drawing[:end]} xmlns="{NAMESPACE}"><style>{STYLE}</style>{drawing[end + 1 :]}'
 
 
 def _number(value):
