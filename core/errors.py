@@ -76,5 +76,13 @@ class OutputError(SkylineViewshedError):
     """A result cannot be written: no such folder, read-only, disk full."""
 
 
+class UnreadableFeaturesError(SkylineViewshedError):
+    """A file of drawn image features is missing, damaged or in none of the known formats."""
+
+    def __init__(self, path, reason):
+        self.path, self.reason = str(path), reason
+        super().__init__(f"The image features {self.path} cannot be read: {reason}")
+
+
 class Cancelled(BaseException):
     """The user stopped the run. Not an error, and no handler of errors swallows it."""

@@ -142,7 +142,8 @@ def _to_edge(position, per_m, level):
     size = np.ldexp(1.0, level)
     low = np.floor(position / size) * size
     gap = np.where(per_m > 0, low + size - position, position - low)
-    return gap / np.maximum(np.abs(per_m), 1e-12)
+    # A track along an edge stays on it: rounding must not make it leave the block at every step.
+    return np.where(np.abs(per_m) > 1e-9, gap / np.maximum(np.abs(per_m), 1e-9), np.inf)
 
 
 def _bound_at(pyramid, row, col, level, inside):
