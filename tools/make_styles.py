@@ -1,0 +1,226 @@
+"""Build styles/*.qml with PyQGIS, so that they hold what this script says and nothing from anyone's desktop."""
+
+from __future__ import annotations
+
+import base64
+import sys
+from pathlib import Path
+
+from qgis.core import (
+    QgsApplication,
+    QgsCategorizedSymbolRenderer,
+    QgsClassificationEqualInterval,
+    QgsColorRampShader,
+    QgsEditorWidgetSetup,
+    QgsFillSymbol,
+    QgsGeometryGeneratorSymbolLayer,
+    QgsGradientColorRamp,
+    QgsGraduatedSymbolRenderer,
+    QgsMarkerSymbol,
+    QgsProperty,
+    QgsRasterLayer,
+    QgsRasterShader,
+    QgsRendererCategory,
+    QgsSimpleFillSymbolLayer,
+    QgsSingleBandPseudoColorRenderer,
+    QgsSingleSymbolRenderer,
+    QgsSvgMarkerSymbolLayer,
+    QgsSymbol,
+    QgsSymbolLayer,
+    QgsUnitTypes,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtGui import QColor
+
+ROOT = Path(__file__).resolve().parent.parent
+WEDGE_MM = 11
+STATUS_COLOURS = {
+    "accepted": ("#1f8a5b", "accepted: trust it"),
+    "ambiguous": ("#e69f00", "ambiguous: look at the report"),
+    "rejected": ("#7a7f85", "rejected: no answer"),
+    "failed": ("#c0392b", "failed: input at fault"),
+}
+CAMERA = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">'
+    '<path d="M4 11 H8 L9.5 3 H14.5 L16 11 H20 A2 2 0 0 1 22 13 V20 A2 2 0 0 1 20 22 H4 A2 2 0 0 1 2 20 V13 '
+    'A2 2 0 0 1 4 11 Z" fill="param(fill)" stroke="param(outline)" stroke-width="param(outline-width)"/></svg>'
+)
+"""A camera seen from above, lens to the north."""
+
+
+def main():
+    """Write all styles."""
+    application = QgsApplication([], False)
+    application.initQgis()
+    sys.path.insert(0, str(ROOT / "build" / "plugins"))
+    from skyline_viewshed.algorithms.fields import photo_specs, qgis_fields
+    from skyline_viewshed.algorithms.oriented import oriented_specs
+    from skyline_viewshed.algorithms.viewshed_outputs import polygon_specs
+
+    (ROOT / "styles").mkdir(exist_ok=True)
+    save(oriented(vector_layer("Point", qgis_fields(photo_specs()[:10] + oriented_specs()))), "oriented")
+    save(photos(vector_layer("Point", qgis_fields(photo_specs()))), "photos")
+    save(polygons(vector_layer("MultiPolygon", qgis_fields(polygon_specs()))), "polygons")
+    from skyline_viewshed.algorithms.horizon_profile import horizon_specs
+
+    save(horizon(vector_layer("Point", qgis_fields(horizon_specs()))), "horizon")
+    save_viewshed()
+
+
+def vector_layer(kind, fields):
+    """Empty memory layer with our fields."""
+    layer = QgsVectorLayer(f"{kind}?crs=EPSG:4326", "style", "memory")
+    layer.dataProvider().addAttributes(fields.toList())
+    layer.updateFields()
+    return layer
+
+
+def save(layer, name):
+    """Write a layer's style."""
+    path = ROOT / "styles" / f"{name}.qml"
+    layer.saveNamedStyle(str(path))
+    print(path.relative_to(ROOT))
+
+
+def camera_symbol(colour, heading):
+    """Field-of-view wedge under a camera turned to the heading."""
+    symbol = QgsMarkerSymbol()
+    path = "base64:" + base64.b64encode(CAMERA.encode()).decode()
+    camera = QgsSvgMarkerSymbolLayer(path, 5.0)
+    camera.setFillColor(QColor(colour))
+    camera.setStrokeColor(QColor("white"))
+    camera.setStrokeWidth(0.2)
+    camera.setDataDefinedProperty(
+        QgsSymbolLayer.Property.PropertyAngle, QgsProperty.fromExpression(f'coalesce("{heading}", 0)')
+    )
+    symbol.changeSymbolLayer(0, wedge(colour, heading))
+    symbol.appendSymbolLayer(camera)
+    return symbol
+
+
+def wedge(colour, heading):
+    """Sector of the field of view in millimetres on the map; there y runs downwards, which mirrors the azimuth."""
+    expression = (
+        f'if("{heading}" is null, null, wedge_buffer(centroid($geometry), 180 - "{heading}", '
+        f'min(coalesce("hfov", 60), 359), {WEDGE_MM}))'
+    )
+    layer = QgsGeometryGeneratorSymbolLayer.create({"geometryModifier": expression})
+    layer.setSymbolType(QgsSymbol.SymbolType.Fill)
+    layer.setUnits(QgsUnitTypes.RenderUnit.RenderMillimeters)
+    fill = QColor(colour)
+    fill.setAlpha(70)
+    sector = QgsSimpleFillSymbolLayer(fill)
+    sector.setStrokeColor(QColor(colour))
+    sector.setStrokeWidth(0.3)
+    layer.setSubSymbol(fill_symbol(sector))
+    return layer
+
+
+def fill_symbol(symbol_layer):
+    """Symbol of one layer; made this way it owns the layer, which the constructor's list does not do from Python."""
+    symbol = QgsFillSymbol()
+    symbol.changeSymbolLayer(0, symbol_layer)
+    return symbol
+
+
+def oriented(layer):
+    """Oriented photos: coloured by status."""
+    categories = [
+        QgsRendererCategory(status, camera_symbol(colour, "heading"), label)
+        for status, (colour, label) in STATUS_COLOURS.items()
+    ]
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", categories))
+    layer.setMapTipTemplate(
+        map_tip(
+            '<b>[% coalesce(round("heading", 1) || \'°\', \'no heading\') %]</b> [% "status" %]<br/>[% "message" %]'
+        )
+    )
+    return with_form(layer, "heading")
+
+
+def photos(layer):
+    """Imported photos: the recorded heading."""
+    layer.setRenderer(QgsSingleSymbolRenderer(camera_symbol("#2f6f9f", "direction")))
+    layer.setMapTipTemplate(map_tip("[% coalesce('recorded ' || round(\"direction\", 1) || '°', '') %]"))
+    return with_form(layer, "direction")
+
+
+def map_tip(words):
+    """Picture, name and some words."""
+    return (
+        '<img src="file:///[% replace("photo", \'\\\\\', \'/\') %]" width="320"/><br/>[% file_name("photo") %] ' + words
+    )
+
+
+def with_form(layer, heading):
+    """Picture and heading in the attribute form."""
+    fields = layer.fields()
+    viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 300, "DocumentViewerWidth": 0, "FileWidget": True,
+              "FileWidgetButton": True, "StorageMode": 0, "RelativeStorage": 0}  # fmt: skip
+    layer.setEditorWidgetSetup(fields.lookupField("photo"), QgsEditorWidgetSetup("ExternalResource", viewer))
+    limits = {"Min": 0.0, "Max": 360.0, "Step": 0.1, "Precision": 2, "Style": "SpinBox", "AllowNull": True}
+    layer.setEditorWidgetSetup(fields.lookupField(heading), QgsEditorWidgetSetup("Range", limits))
+    layer.setDisplayExpression('file_name("photo")')
+    return layer
+
+
+def polygons(layer):
+    """Ground in view: one hue per photo, outline stronger than fill."""
+    fill = QgsSimpleFillSymbolLayer(QColor(230, 120, 30, 60))
+    fill.setStrokeWidth(0.4)
+    hue = '("source_id" * 137) % 360'
+    fill.setDataDefinedProperty(
+        QgsSymbolLayer.Property.PropertyFillColor, QgsProperty.fromExpression(f"color_hsla({hue}, 75, 50, 60)")
+    )
+    fill.setDataDefinedProperty(
+        QgsSymbolLayer.Property.PropertyStrokeColor, QgsProperty.fromExpression(f"color_hsl({hue}, 80, 32)")
+    )
+    layer.setRenderer(QgsSingleSymbolRenderer(fill_symbol(fill)))
+    layer.setMapTipTemplate(
+        '[% file_name("photo") %]<br/>[% round("area_m2" / 1e6, 2) %] km², up to [% round("farthest_m" / 1000, 1) %] km'
+    )
+    layer.setDisplayExpression('file_name("photo")')
+    return layer
+
+
+def horizon(layer):
+    """Points of the horizon, coloured by elevation angle."""
+    symbol = QgsMarkerSymbol.createSimple({"name": "circle", "size": "1.6", "outline_style": "no"})
+    renderer = QgsGraduatedSymbolRenderer("elevation")
+    renderer.setSourceSymbol(symbol)
+    renderer.setClassificationMethod(QgsClassificationEqualInterval())
+    ramp = QgsGradientColorRamp(QColor("#2c7bb6"), QColor("#d7191c"))
+    for lower, upper in ((-90, 0), (0, 5), (5, 10), (10, 20), (20, 90)):
+        renderer.addClassLowerUpper(lower, upper)
+    renderer.updateColorRamp(ramp)
+    layer.setRenderer(renderer)
+    return layer
+
+
+def save_viewshed():
+    """Counts of photos: unseen ground transparent, then from yellow to dark red."""
+    from osgeo import gdal
+
+    path = ROOT / "build" / "style.tif"
+    path.parent.mkdir(exist_ok=True)
+    dataset = gdal.GetDriverByName("GTiff").Create(str(path), 2, 2, 1, gdal.GDT_UInt16)
+    dataset.GetRasterBand(1).Fill(1)
+    dataset = None
+    layer = QgsRasterLayer(str(path), "style")
+    ramp = QgsColorRampShader(0, 65534, None, QgsColorRampShader.Type.Discrete)
+    classes = ((0, "#00ffffff", "not seen"), (1, "#ffc400", "1 photo"), (2, "#ff8f00", "2 photos"),
+               (3, "#f4511e", "3 photos"), (5, "#d81b60", "4 to 5 photos"), (10, "#8e24aa", "6 to 10 photos"),
+               (65534, "#311b92", "more than 10 photos"))  # fmt: skip
+    ramp.setColorRampItemList(
+        [QgsColorRampShader.ColorRampItem(value, QColor(colour), label) for value, colour, label in classes]
+    )
+    shader = QgsRasterShader()
+    shader.setRasterShaderFunction(ramp)
+    layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
+    layer.renderer().setOpacity(0.65)
+    save(layer, "viewshed")
+    path.unlink()
+
+
+if __name__ == "__main__":
+    main()
