@@ -17,9 +17,11 @@ import numpy as np
 from .match_geometry import horizon_rows, project_trials
 from .progress import SILENT, checkpoint
 
-PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
-"""Steps of the numerical derivatives of rows, in the order of `match_geometry.PARAMETERS`."""
+LANDMARK_PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
+"""Steps of the numerical derivatives of landmarks, in the order of `match_geometry.PARAMETERS`."""
 
+CLIPPED_FACTOR = 2.0
+"""Tolerance of the horizon where the DEM ends too early or has voids, against elsewhere."""
 
 LARGEST_MISS = 300.0
 """Cap on a landmark's miss in standard deviations; also what a landmark behind the camera counts."""
@@ -41,7 +43,7 @@ class RefineOptions:
     effective_columns : float
         Number of independent column groups: 1 / L.
     roll_sigma_deg, k1_sigma : float
-        Spreads of the priors; roll has heavy tails (Student's t with 4 degrees of freedom).
+        Spreads of the Gaussian priors; 0 holds k1 at the camera's own value.
     """
 
     terrain_error_cells: float = 0.25
@@ -86,21 +88,44 @@ class Objective:
 
     def rows(self, trials, columns):
         """Rows of the horizon and their tolerance before scaling: two (K, C) arrays [pixels]."""
-        row, azimuth = horizon_rows(self.curve, self.camera, trials, columns)
+        row, azimuth, _ = horizon_rows(self.curve, self.camera, trials, columns)
+        return self._known_rows(trials, row, azimuth)
+
+    def _known_rows(self, trials, row, azimuth):
         nearest = self.curve.nearest(azimuth)
         focal = self.camera.focal_px * np.exp(trials[:, 3:4])
         terrain = self.options.terrain_error_cells * self.curve.cell_m / self.curve.distance_m[nearest] * focal
         row = np.where(self.curve.known[nearest], row, np.nan)
         tolerance = np.sqrt(np.square(self.options.pixel_error_px) + np.square(terrain))
-        return row, tolerance * np.where(self.curve.clipped[nearest], 2.0, 1.0)
+        return row, tolerance * np.where(self.curve.clipped[nearest], CLIPPED_FACTOR, 1.0)
 
     def score(self, trials, scale, stride=1):
         """Penalised scores (K,) of (K, 5) trials; `scale` is a number or (K,)."""
         columns = self.columns(stride)
         row, tolerance = self.rows(trials, columns)
         value = self.stack.look_up(columns, row, tolerance * np.reshape(scale, (-1, 1)))
-        miss = 0.5 * np.square(self.landmark_residual(trials)).sum(axis=1) / self.options.effective_columns
-        return value.mean(axis=1) - self._penalty(trials) - miss
+        return value.mean(axis=1) - self._penalty(trials)
+
+    def expand(self, trials, scale, stride=1):
+        """Score (K,), its gradient (K, 5) and a positive curvature (K, 5, 5) of (K, 5) trials."""
+        columns = self.columns(stride)
+        row, azimuth, jacobian = horizon_rows(self.curve, self.camera, trials, columns, derivatives=True)
+        row, tolerance = self._known_rows(trials, row, azimuth)
+        tolerance = tolerance * np.reshape(scale, (-1, 1))
+        value = self.stack.look_up(columns, row, tolerance)
+        reach = 0.5 * tolerance
+        slope = self.stack.look_up(columns, row + reach, tolerance) - self.stack.look_up(
+            columns, row - reach, tolerance
+        )
+        usable = np.isfinite(row) & (value > 0)
+        jacobian[~usable] = 0.0
+        slope = np.where(usable, slope / (2 * reach), 0.0)
+        # Share of the column that the horizon explains: only those columns hold the fit in place.
+        weight = np.where(usable, (1 - np.exp(-value)) / (np.square(tolerance) + 1), 0.0)
+        gradient = np.einsum("kc,kcj->kj", slope, jacobian) / len(columns)
+        curvature = np.matmul(jacobian.transpose(0, 2, 1), weight[..., None] * jacobian) / len(columns)
+        pull, stiffness = self._penalty_derivatives(trials)
+        return value.mean(axis=1) - self._penalty(trials), gradient - pull, curvature + stiffness
 
     def landmark_residual(self, trials):
         """Misses of the landmarks, in their standard deviations: (K, 2 M)."""
@@ -109,69 +134,34 @@ class Objective:
         miss = np.concatenate([(seen_x - x) / sigma, (seen_y - y) / sigma], axis=1)
         return np.nan_to_num(np.clip(miss, -LARGEST_MISS, LARGEST_MISS), nan=LARGEST_MISS)
 
-    def step(self, trials, scale, stride):
-        """Gradient (K, 5) and positive curvature (K, 5, 5) of the score."""
-        columns = self.columns(stride)
-        row, tolerance = self.rows(trials, columns)
-        tolerance = tolerance * np.reshape(scale, (-1, 1))
-        value = self.stack.look_up(columns, row, tolerance)
-        reach = 0.5 * tolerance
-        slope = self.stack.look_up(columns, row + reach, tolerance) - self.stack.look_up(
-            columns, row - reach, tolerance
-        )
-        slope = slope / (2 * reach)
-        # Share of the column that the horizon explains: only those columns hold the fit in place.
-        weight = (1 - np.exp(-value)) / (np.square(tolerance) + 1)
-        jacobian = np.stack([self._row_derivative(trials, row, columns, j) for j in range(len(PROBE))], axis=2)
-        usable = np.isfinite(jacobian).all(axis=2) & (value > 0)
-        jacobian = np.where(usable[..., None], jacobian, 0.0)
-        slope, weight = np.where(usable, slope, 0.0), np.where(usable, weight, 0.0)
-        gradient = np.einsum("kc,kcj->kj", slope, jacobian) / len(columns)
-        curvature = np.einsum("kc,kci,kcj->kij", weight, jacobian, jacobian) / len(columns)
-        pull, stiffness = self._penalty_derivatives(trials)
-        gradient, curvature = gradient - pull, curvature + stiffness
-        if self.landmarks:
-            pull, stiffness = self._landmark_derivatives(trials)
-            gradient, curvature = gradient - pull, curvature + stiffness
-        gradient[:, ~self.free] = 0.0
-        return gradient, curvature
-
-    def _row_derivative(self, trials, row, columns, parameter):
-        if not self.free[parameter]:
-            return np.zeros_like(row)
-        moved = trials.copy()
-        moved[:, parameter] += PROBE[parameter]
-        return (self.rows(moved, columns)[0] - row) / PROBE[parameter]
-
-    def _landmark_derivatives(self, trials):
-        miss = self.landmark_residual(trials)
-        jacobian = np.zeros((*miss.shape, len(PROBE)))
-        for parameter in np.flatnonzero(self.free):
-            moved = trials.copy()
-            moved[:, parameter] += PROBE[parameter]
-            jacobian[..., parameter] = (self.landmark_residual(moved) - miss) / PROBE[parameter]
-        pull = np.einsum("km,kmj->kj", miss, jacobian)
-        stiffness = np.einsum("kmi,kmj->kij", jacobian, jacobian)
-        return pull / self.options.effective_columns, stiffness / self.options.effective_columns
-
     def _penalty(self, trials):
-        total = 2.5 * np.log1p(np.square(trials[:, 2] / self.sigma[2]) / 4)
+        total = 0.5 * np.square(trials[:, 2] / self.sigma[2])
         for parameter in (3, 4):
             if self.free[parameter]:
                 total = total + 0.5 * np.square(trials[:, parameter] / self.sigma[parameter])
+        if self.landmarks:
+            total = total + 0.5 * np.square(self.landmark_residual(trials)).sum(axis=1)
         return total / self.options.effective_columns
 
     def _penalty_derivatives(self, trials):
-        pull = np.zeros_like(trials)
-        stiffness = np.zeros((len(trials), 5, 5))
-        roll = trials[:, 2] / self.sigma[2]
-        pull[:, 2] = 1.25 * roll / (1 + roll * roll / 4) / self.sigma[2]
-        stiffness[:, 2, 2] = 1.25 / (1 + roll * roll / 4) / self.sigma[2] ** 2
-        for parameter in (3, 4):
+        pull, stiffness = np.zeros_like(trials), np.zeros((len(trials), 5, 5))
+        for parameter in (2, 3, 4):
             if self.free[parameter]:
                 pull[:, parameter] = trials[:, parameter] / self.sigma[parameter] ** 2
                 stiffness[:, parameter, parameter] = 1 / self.sigma[parameter] ** 2
+        if self.landmarks:
+            more_pull, more_stiffness = self._landmark_derivatives(trials)
+            pull, stiffness = pull + more_pull, stiffness + more_stiffness
         return pull / self.options.effective_columns, stiffness / self.options.effective_columns
+
+    def _landmark_derivatives(self, trials):
+        miss = self.landmark_residual(trials)
+        jacobian = np.zeros((*miss.shape, len(LANDMARK_PROBE)))
+        for parameter in np.flatnonzero(self.free):
+            moved = trials.copy()
+            moved[:, parameter] += LANDMARK_PROBE[parameter]
+            jacobian[..., parameter] = (self.landmark_residual(moved) - miss) / LANDMARK_PROBE[parameter]
+        return np.einsum("km,kmj->kj", miss, jacobian), np.einsum("kmi,kmj->kij", jacobian, jacobian)
 
 
 def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT):
@@ -183,29 +173,33 @@ def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT):
     score : (K,) array
     """
     trials = np.array(trials, float)
-    score = objective.score(trials, scale, stride)
-    damping = np.full(len(trials), 0.1)
+    score, gradient, curvature = objective.expand(trials, scale, stride)
+    # The curvature counts every explained column in full and is about twice too stiff: start below it.
+    stiffness = np.full(len(trials), 0.5)
     free = np.flatnonzero(objective.free)
     for iteration in range(iterations):
         checkpoint(progress, iteration / iterations)
-        gradient, curvature = objective.step(trials, scale, stride)
-        gradient, curvature = gradient[:, free], curvature[np.ix_(range(len(trials)), free, free)]
-        diagonal = np.einsum("kii->ki", curvature)
-        damped = curvature + np.einsum("ki,ij->kij", diagonal * damping[:, None] + 1e-9, np.eye(len(free)))
-        move = np.zeros_like(trials)
-        move[:, free] = np.linalg.solve(damped, gradient[..., None])[..., 0]
-        move = _bounded(move)
-        better = np.zeros(len(trials), bool)
-        for stretch in (1.0, 2.5):
-            moved = trials + stretch * move
-            value = objective.score(moved, scale, stride)
-            gain = value > score + 1e-7
-            trials[gain], score[gain] = moved[gain], value[gain]
-            better |= gain
-        damping = np.where(better, damping * 0.4, damping * 6)
-        if not better.any() and (damping > 50).all():
+        moved = trials + _bounded(_newton(gradient, curvature * stiffness[:, None, None], free))
+        expanded = objective.expand(moved, scale, stride)
+        gain = expanded[0] > score
+        trials[gain] = moved[gain]
+        score, gradient, curvature = (
+            np.where(gain.reshape(-1, *[1] * (new.ndim - 1)), new, old)
+            for new, old in zip(expanded, (score, gradient, curvature))
+        )
+        stiffness = np.clip(np.where(gain, stiffness * 0.6, stiffness * 4), 0.15, 1e4)
+        if (stiffness > 100).all():
             break
     return trials, score
+
+
+def _newton(gradient, curvature, free):
+    """Steps (K, 5) up the gradient, by the curvature's inverse; parameters that are not free stay."""
+    step = np.zeros_like(gradient)
+    matrix = curvature[np.ix_(range(len(gradient)), free, free)]
+    matrix = matrix + 1e-9 * np.eye(len(free))
+    step[:, free] = np.linalg.solve(matrix, gradient[:, free][..., None])[..., 0]
+    return step
 
 
 def _bounded(move):

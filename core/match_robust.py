@@ -143,7 +143,7 @@ def _finding(objective, trials, score, position_error_m, options):
     columns = objective.columns(1)
     row, tolerance = objective.rows(trials, columns)
     value = objective.stack.look_up(columns, row, tolerance * 1.5)
-    _, curvature = objective.step(trials, 1.5, 1)
+    _, _, curvature = objective.expand(trials, 1.5)
     free = np.flatnonzero(objective.free)
     information = curvature[np.ix_(range(len(trials)), free, free)] * options.refine.effective_columns
     covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
@@ -163,7 +163,7 @@ def _finding(objective, trials, score, position_error_m, options):
 
 
 def _typical_distance(objective, trial, columns):
-    _, azimuth = horizon_rows(objective.curve, objective.camera, trial[None], columns)
+    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trial[None], columns)
     return float(np.median(objective.curve.distance_m[objective.curve.nearest(azimuth[0])]))
 
 

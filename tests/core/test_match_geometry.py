@@ -18,7 +18,7 @@ def test_rows_agree_with_a_dense_projection(match_scenes, heading, pitch, roll, 
     horizon = match_scenes.random_horizon(3)
     camera = Camera(256, 192, 128 / np.tan(np.radians(hfov) / 2))
     pose = Pose(heading, pitch, roll)
-    found, _ = horizon_rows(HorizonCurve(horizon), camera, trial(pose), np.arange(256))
+    found, _, _ = horizon_rows(HorizonCurve(horizon), camera, trial(pose), np.arange(256))
     assert np.abs(found[0] - match_scenes.seen_rows(horizon, camera, pose)).max() < 0.3
 
 
@@ -48,3 +48,21 @@ def test_a_horizon_without_any_known_azimuth_is_refused(match_scenes):
     horizon = match_scenes.random_horizon(1)
     with pytest.raises(ValueError, match="known azimuth"):
         HorizonCurve(replace(horizon, elevation_deg=np.full(3600, np.nan)))
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.floats(-15, 15), st.floats(-8, 8), st.floats(10, 60))
+def test_derivatives_of_rows_are_those_of_finite_differences(match_scenes, pitch, roll, hfov):
+    curve = HorizonCurve(match_scenes.random_horizon(5))
+    camera = Camera(256, 192, 128 / np.tan(np.radians(hfov) / 2))
+    columns = np.arange(256)
+    centre = np.array([[77.0, pitch, roll, 0.01, -0.02]])
+    _, _, jacobian = horizon_rows(curve, camera, centre, columns, derivatives=True)
+    for parameter, step in enumerate([2e-2, 2e-2, 2e-2, 1e-3, 1e-2]):
+        up, down = centre.copy(), centre.copy()
+        up[0, parameter] += step
+        down[0, parameter] -= step
+        rows = [horizon_rows(curve, camera, trials, columns)[0][0] for trials in (up, down)]
+        slope = (rows[0] - rows[1]) / (2 * step)
+        # The horizon is a polygon and distortion's own slope is left out: near, not exact.
+        assert np.median(np.abs(slope - jacobian[0, :, parameter])) < 0.02 * np.abs(slope).max() + 0.02

@@ -40,7 +40,7 @@ def test_no_step_lowers_the_score(match_scenes):
 def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_scenes):
     objective = objective_of(match_scenes.scene(8))
     trial = np.array([[10.0, 70.0, 2.0, 0.01, 0.0]])  # looks into the sky: the horizon is out of the frame
-    gradient, _ = objective.step(trial, 1.0, 4)
+    _, gradient, _ = objective.expand(trial, 1.0, 4)
     step = 1e-5
     for parameter in (2, 3):
         up, down = trial.copy(), trial.copy()
