@@ -15,8 +15,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-SLIDES = (0.5, 0.12, 0.88, 0.3, 0.7)
+SLIDES = (0.5, 0.3, 0.7, 0.12, 0.88, 0.02, 0.98)
 """Where along the label the leader may end, best first."""
+
+BELOW_COST = 12.0
+"""A label below its point covers the ground; so many lines of leader are better."""
+
+BARRED_COST = 1.5
+"""...and one in the way of another point's leader costs this much per point."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +99,8 @@ def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
     taken = np.zeros((0, 4))
     placed = []
     for index in range(x_px.size):
-        room = _find_room(x_px[index], y_px[index], width_px[index], canvas_px, taken, options)
+        later = np.column_stack([x_px[index + 1 :], y_px[index + 1 :]])
+        room = _find_room(x_px[index], y_px[index], width_px[index], canvas_px, taken, later, options)
         if room is None:
             continue
         placed.append(PlacedLabel(index, *room, float(x_px[index]), float(y_px[index])))
@@ -101,25 +108,34 @@ def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
     return tuple(placed)
 
 
-def _find_room(x, y, width, canvas, taken, options):
+def _find_room(x, y, width, canvas, taken, later, options):
+    """Cheapest free box (left, top, width, height), or None."""
+    best, best_cost = None, np.inf
+    for cost, box in _candidates(x, y, width, canvas, options):
+        if cost >= best_cost:
+            continue
+        left, top = box[0], box[1]
+        gap = 2 * options.gap_px
+        crossed = (later[:, 0] > left - gap) & (later[:, 0] < left + width + gap) & (later[:, 1] > top)
+        cost += BARRED_COST * np.count_nonzero(crossed)
+        if cost < best_cost and not _meets(_claims(PlacedLabel(0, *box, x, y), options), taken):
+            best, best_cost = tuple(float(v) for v in box), cost
+    return best
+
+
+def _candidates(x, y, width, canvas, options):
+    """(cost, box) of all places on the canvas: a line's height of leader costs 1."""
     height = options.line_px
-    if width > canvas[0]:
-        return None
-    steps = np.arange(0.0, max(options.longest_lead_px - options.lead_px, 0) + 1, height / 2)
-    for above in (True, False):
-        for step in steps:
+    for step in np.arange(0.0, max(options.longest_lead_px - options.lead_px, 0) + 1, height / 2):
+        for above in (True, False):
             lead = options.lead_px + step
             top = y - lead - height if above else y + lead
             if top < 0 or top + height > canvas[1]:
-                break
-            for slide in SLIDES:
+                continue
+            for rank, slide in enumerate(SLIDES):
                 left = x - slide * width
-                if left < 0 or left + width > canvas[0]:
-                    continue
-                box = left, top, width, height
-                if not _meets(_claims(PlacedLabel(0, *box, x, y), options), taken):
-                    return tuple(float(v) for v in box)
-    return None
+                if left >= 0 and left + width <= canvas[0]:
+                    yield step / height + 0.1 * rank + (0 if above else BELOW_COST), (left, top, width, height)
 
 
 def _claims(label, options):

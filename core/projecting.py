@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .angles import in_wedge
 from .progress import SILENT
 from .sightline import GROUND, VOID, SightOptions, cast_rays
 from .surface import elevation_at
@@ -111,7 +112,8 @@ def project_places(
     state = np.full(east_m.shape, OUTSIDE, np.uint8)
     near_enough = (distance >= options.min_distance_m) & (distance <= options.max_distance_m)
     asked = near_enough & (np.full(east_m.shape, True) if all_round else view.frames(x, y))
-    state[asked & ~np.isfinite(shown)] = UNKNOWN
+    ahead = in_wedge(azimuth, *view.wedge_deg) | all_round
+    state[near_enough & ahead & ~np.isfinite(shown)] = UNKNOWN
     asked &= np.isfinite(shown)
     top = np.fmax(given, surface) + height_above_m
     state[asked] = _sight(terrain, view, east_m[asked], north_m[asked], top[asked], options, progress)
