@@ -99,6 +99,27 @@ def photo_lines(photo):
     return extracted, horizons
 
 
+def skyline_residuals_px(photo):
+    """Extracted skyline minus the best answer's horizon along the columns of the skyline.
+
+    Returns
+    -------
+    (w,) array or None
+        [pixels of the full picture], + where the extracted skyline is lower in the picture; NaN where one of them is
+        unknown. The matcher's own residuals, where it gave any.
+    """
+    if photo.orientation.residual_px is not None:
+        return photo.orientation.residual_px
+    extracted, horizons = photo_lines(photo)
+    if extracted is None or not horizons or not np.isfinite(horizons[0].x_px).any():
+        return None
+    known = np.isfinite(horizons[0].x_px)
+    x, y = horizons[0].x_px[known], horizons[0].y_px[known]
+    order = np.argsort(x, kind="stable")
+    row = np.interp(extracted.x_px, x[order], y[order], left=np.nan, right=np.nan)
+    return np.where(extracted.doubtful, np.nan, extracted.y_px - row)
+
+
 def full_size(photo):
     """(width, height) of the full upright picture [pixels], from the best source an `OrientedPhoto` has."""
     if photo.camera is not None:

@@ -132,7 +132,7 @@ def _draw(pixels, line, scale, colour, width, casing, dash=None, opacity=1.0):
     for doubtful in (True, False):
         x, y = line.part(doubtful)
         x, y = (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5
-        part_dash = (width, 2.5 * width) if doubtful else dash
+        part_dash = (2.5 * width, width if dash is None else 3 * width) if doubtful else dash
         draw_line(pixels, x, y, colour, width, part_dash, casing, opacity)
 
 

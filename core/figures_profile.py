@@ -85,7 +85,8 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
     if not known.any():
         words = "No column of the picture was compared with the DEM."
         return figure(width, height, title, words, text(width / 2, height / 2, words, "name", "middle"))
-    half = max(float(np.percentile(np.abs(residual[known]), 98)) * 1.25, 0.004 * (height_px or 0), 2.0)
+    size = np.abs(residual[known])  # a run of wild columns may leave the frame, for the others to be seen
+    half = max(1.4 * float(np.percentile(size, 90)), 4 * float(np.median(size)), 0.004 * (height_px or 0), 2.0)
     x = Scale(0, max(len(residual) - 1, 1), 44, width - (44 if pixels_per_degree else 10))
     y = Scale(half, -half, height - 34, 24)
     across, values = _bundled(residual)
@@ -201,7 +202,7 @@ def _distance_key(x, height):
 
 def _residual_axes(half, pixels_per_degree, x, y):
     parts = []
-    for value in ticks(-half, half, 4):
+    for value in ticks(-half, half, 6):
         at = float(y(value))
         shown = with_unit(-value, "", 0 if half >= 4 else 1, signed=True)
         parts += [line(x.start, at, x.stop, at, "grid"), text(x.start - 5, at + 4, shown, anchor="end")]
@@ -209,7 +210,7 @@ def _residual_axes(half, pixels_per_degree, x, y):
         reach = half / pixels_per_degree
         parts += [
             text(x.stop + 5, float(y(-value * pixels_per_degree)) + 4, with_unit(value, "°", 2, True, ""))
-            for value in ticks(-reach, reach, 4)
+            for value in ticks(-reach, reach, 6)
         ]
     return parts
 

@@ -129,9 +129,12 @@ def _range(scores):
 
 def _frame(x, y, low, high, score_name):
     parts = []
-    for value in ticks(low, high, 3):
+    for value in ticks(low, high, 4):
         at = float(y(value))
-        parts += [line(x.start, at, x.stop, at, "grid"), text(x.start - 5, at + 4, f"{value:.3g}", anchor="end")]
+        parts += [
+            line(x.start, at, x.stop, at, "grid"),
+            text(x.start - 5, at + 4, f"{value:.3g}".replace("-", "−"), anchor="end"),
+        ]
     for heading in range(0, 361, 45):
         at = float(x(heading))
         parts += [line(at, y.start, at, y.start + 4, "axis")]

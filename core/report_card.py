@@ -5,7 +5,7 @@ from __future__ import annotations
 from .draw_raster import encode_jpeg, encode_png, resized
 from .draw_text import azimuth, compass_point, degrees, escape, is_known, with_unit
 from .errors import MissingPackageError
-from .figures_lines import full_size
+from .figures_lines import full_size, skyline_residuals_px
 from .figures_overlay import evidence_rgba, focus_box, overlay_svg_lines
 from .figures_profile import horizon_profile_svg, residuals_svg
 from .figures_score import score_curve_svg, score_rose_svg
@@ -100,6 +100,8 @@ def _answer(photo):
         ("Compass − found", degrees(compass, 1, signed=True)),
         ("Eye elevation", with_unit(photo.eye_elevation_m, "m")),
     ]
+    if is_known(orientation.ncc):
+        facts.append(("NCC", with_unit(orientation.ncc, "", 3)))
     listed = "".join(f"<dt>{escape(label)}</dt><dd>{escape(words)}</dd>" for label, words in facts)
     rose = score_rose_svg(orientation, photo.compass_true_deg, best.camera.hfov_deg, size=176)
     parts.append(f'<div class="rose-row">{rose}<dl class="facts">{listed}</dl></div>')
@@ -185,10 +187,10 @@ def _plots(photo):
     orientation = photo.orientation
     score_name = "NCC" if photo.evidence is None and orientation.ncc is not None else "Score"
     curve = score_curve_svg(orientation, photo.compass_true_deg, score_name, width=760, height=156)
-    if orientation.residual_px is None:
+    residual_px = skyline_residuals_px(photo)
+    if residual_px is None:
         return f'<div class="plots">{curve}</div>'
-    height_px = full_size(photo)[1]
-    residuals = residuals_svg(orientation.residual_px, height_px, pixels_per_degree(photo), width=500, height=156)
+    residuals = residuals_svg(residual_px, full_size(photo)[1], pixels_per_degree(photo), width=500, height=156)
     return f'<div class="plots">{curve}{residuals}</div>'
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from .angles import difference, in_wedge, wrap_360
 from .draw_text import azimuth, compass_point, degrees, is_known, with_unit
+from .figures_lines import skyline_residuals_px
 
 STATUSES = ("accepted", "ambiguous", "rejected", "failed")
 """From best to worst; also the order in which the summary sorts them."""
@@ -68,7 +69,7 @@ def summarise(photo):
     name, status = file_name(photo.path), status_of(photo)
     if best is None:
         return Summary(name, status, orientation.message)
-    residual_px = _median_abs(orientation.residual_px)
+    residual_px = _median_abs(skyline_residuals_px(photo))
     return Summary(
         name,
         status,
@@ -174,7 +175,7 @@ def _match(photo):
         ("NCC of the second peak", with_unit(orientation.ncc_second, "", 3)),
         ("Sharpness of the peak", with_unit(orientation.sharpness, "", 2)),
     ]
-    residual, scale = orientation.residual_px, pixels_per_degree(photo)
+    residual, scale = skyline_residuals_px(photo), pixels_per_degree(photo)
     median = _median_abs(residual)
     if median is not None:
         angle = degrees(median / scale, 2) if scale else "–"

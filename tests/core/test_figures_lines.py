@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from skyline_viewshed.core.camera import Camera, Pose
-from skyline_viewshed.core.figures_lines import full_size, horizon_line, photo_lines, skyline_line
+from skyline_viewshed.core.figures_lines import full_size, horizon_line, photo_lines, skyline_line, skyline_residuals_px
 from skyline_viewshed.core.model import HorizonProfile, Orientation, OrientedPhoto, Skyline
 
 CAMERA = Camera(4001, 3001, 3000.0)
@@ -95,3 +97,15 @@ def test_size_comes_from_whatever_is_known(painted):
     assert full_size(painted(camera=None, metadata=None, preview=None)) == (256, 192)
     with pytest.raises(ValueError, match="neither"):
         full_size(OrientedPhoto("x", Orientation("failed", "no")))
+
+
+def test_where_the_matcher_gave_no_residuals_they_come_from_the_lines(painted):
+    photo = painted()
+    assert skyline_residuals_px(photo) is photo.orientation.residual_px
+    bare = replace(photo, orientation=replace(photo.orientation, residual_px=None))
+    lower = replace(bare, skyline=replace(photo.skyline, row_px=photo.skyline.row_px + 5))
+    shift = skyline_residuals_px(lower) - skyline_residuals_px(bare)
+    assert np.allclose(shift, 20)  # 4 pixels of the full picture to one of the skyline's
+    assert np.nanmedian(np.abs(skyline_residuals_px(bare))) < 4
+    assert skyline_residuals_px(replace(bare, horizon=None)) is None
+    assert skyline_residuals_px(replace(bare, skyline=None)) is None
