@@ -25,6 +25,9 @@ from .errors import UnusableDemError
 NODES = 65
 """Nodes of the tables per side."""
 
+NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-6
+"""Rays that bend by less at the far end, over a grid whose scale drifts by less, are taken for straight."""
+
 
 @dataclass(frozen=True, eq=False)
 class Table:
@@ -51,14 +54,15 @@ class Table:
 
     def line(self, k):
         """(W,) values at one distance, ready for `along`."""
-        place = np.clip(k / self.k_max * (len(self.values) - 1), 0, len(self.values) - 1)
+        place = min(max(float(k) / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
         low = min(int(place), len(self.values) - 2)
         return self.values[low] + (self.values[low + 1] - self.values[low]) * (place - low)
 
     def place(self, w):
         """(node, share) of each w, ready for `along`."""
         nodes = self.values.shape[1]
-        place = np.clip((w - self.w_min) * ((nodes - 1) / (self.w_max - self.w_min)), 0, nodes - 1)
+        place = (w - self.w_min) * ((nodes - 1) / (self.w_max - self.w_min))
+        place = np.minimum(np.maximum(place, 0), nodes - 1)
         node = np.minimum(place.astype(np.intp), nodes - 2)
         return node, (place - node).astype(np.float32)
 
@@ -191,6 +195,8 @@ def _bent(frame, plane, k_max):
         if reach >= 1.0 + 2 * most:
             break
         reach = 1.0 + 3 * most + 0.02
+    if k_max * most * plane.w_limit < NEGLIGIBLE_PX and np.abs(stretch[:, core]).max() < NEGLIGIBLE_STRETCH:
+        return plane
     u = w + bend
     u_min, u_max = float(u[:, core].min()) - 1e-6, float(u[:, core].max()) + 1e-6
     rays = np.linspace(u_min, u_max, NODES)
