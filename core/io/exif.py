@@ -126,6 +126,8 @@ def _pillow_exif(pil, path, kind):
 
 def _by_gdal(path, kind):
     """GDAL prints six digits and calls 0/0 zero: enough for a place to some metres, and the last resort."""
+    if kind == "heif" and available("pillow_heif") is not None:
+        return {}  # see pixels._chain
     dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
     if dataset is None:
         return {}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 
 from ..errors import UnreadablePhotoError
+from ..optional import available
+from .heif_boxes import is_whole
 
 PHOTO_SUFFIXES = (".jpg", ".jpeg", ".jpe", ".jfif", ".heic", ".heif", ".hif")
 """Names that `list_photos` takes for photographs, in any case."""
@@ -13,9 +15,6 @@ GDAL_DRIVERS = {"jpeg": "JPEG", "heif": "HEIF", "png": "PNG", "tiff": "GTiff", "
 
 HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1", b"mif2")
 """Major or compatible brands of an ISO 23008-12 file with HEVC pictures."""
-
-MAX_BOXES = 10_000
-"""A photograph's file has about five boxes; more are an attack on our time."""
 
 MAX_PIXELS = 250_000_000
 """Larger pictures are refused by their header, before any pixel is decoded: 200 megapixel phones pass, bombs do not."""
@@ -35,9 +34,10 @@ def format_of(path):
     if head.startswith(b"\xff\xd8\xff"):
         return "jpeg"
     if head[4:8] == b"ftyp" and _is_heif(head):
-        if not _is_whole(path):
-            # libheif would fill the missing tiles with something and say nothing.
-            raise UnreadablePhotoError(path, "the file ends too early. Copy it again from its source.")
+        if not is_whole(path, empty_allowed=available("pillow_heif") is not None):
+            raise UnreadablePhotoError(
+                path, "it ends too early or its directory is damaged. Copy it again from its source."
+            )
         return "heif"
     if head.startswith(b"\x89PNG\r\n\x1a\n"):
         return "png"
@@ -77,24 +77,6 @@ def _is_heif(head):
     size = min(int.from_bytes(head[:4], "big"), len(head))
     brands = [head[8:12], *(head[start : start + 4] for start in range(16, size - 3, 4))]
     return any(brand in HEIF_BRANDS for brand in brands)
-
-
-def _is_whole(path):
-    """Tell whether the boxes that hold directory and pixels of an ISO media file end within it."""
-    size, start = os.path.getsize(path), 0
-    with open(path, "rb") as file:
-        for _ in range(MAX_BOXES):
-            file.seek(start)
-            header = file.read(16)
-            length, kind = int.from_bytes(header[:4], "big"), header[4:8]
-            if length == 1:  # the true length follows as 64 bit
-                length = int.from_bytes(header[8:16], "big")
-            if kind in (b"meta", b"mdat") and start + length > size:
-                return False
-            start += length
-            if length < 8 or start >= size:  # 0 means: to the file's end; less is something that makers append
-                return True
-    return False
 
 
 def is_photo_name(name):

@@ -20,7 +20,7 @@ def stored_size(path, kind):
 
     HEIC decoders apply the container's rotation, so for them this is the upright size; JPEG's is as stored.
     """
-    for sizer in (_heif_size if kind == "heif" else _pillow_size, _gdal_size):
+    for sizer in _chain(kind, _heif_size, _pillow_size, _gdal_size):
         size = sizer(path, kind)
         if size is not None:
             check_size(path, *size)
@@ -50,13 +50,20 @@ def decode(path, kind, max_side_px=None):
     """
     size = stored_size(path, kind)
     try:
-        for decoder in (_decode_heif if kind == "heif" else _decode_pillow, _decode_gdal):
+        for decoder in _chain(kind, _decode_heif, _decode_pillow, _decode_gdal):
             pixels = decoder(path, kind, max_side_px)
             if pixels is not None:
                 return pixels, size
     except MemoryError:
         raise UnreadablePhotoError(path, "it is too large for this computer's memory. Reduce the picture.") from None
     raise _undecodable(path, kind)
+
+
+def _chain(kind, by_heif, by_pillow, by_gdal):
+    """Decoders in their order. A HEIC that pillow-heif refuses is not shown to GDAL, whose libheif is older."""
+    if kind != "heif":
+        return by_pillow, by_gdal
+    return (by_gdal,) if available("pillow_heif") is None else (by_heif,)
 
 
 def _undecodable(path, kind):

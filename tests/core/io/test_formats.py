@@ -11,9 +11,11 @@ def box(kind, payload):
 
 
 FTYP = box(b"ftyp", b"heic\0\0\0\0mif1heic")
+ILOC = box(b"iloc", bytes.fromhex("00000000 4400 0001 0001 0000 0001") + struct.pack(">II", 8, 16))
+META = box(b"meta", bytes(4) + ILOC)
 HEADS = {
     "jpeg": b"\xff\xd8\xff\xe0rest",
-    "heif": FTYP + box(b"meta", b"1234") + box(b"mdat", b"pixels"),
+    "heif": FTYP + META + box(b"mdat", b"pixels"),
     "png": b"\x89PNG\r\n\x1a\nrest",
     "tiff": b"II*\0rest",
     "webp": b"RIFF\0\0\0\0WEBPrest",
@@ -28,7 +30,7 @@ def test_content_decides_and_not_the_name(tmp_path, kind):
 
 
 def test_a_compatible_brand_is_enough(tmp_path):
-    (tmp_path / "a.heic").write_bytes(box(b"ftyp", b"MSNV\0\0\0\0isomheic") + box(b"mdat", b""))
+    (tmp_path / "a.heic").write_bytes(box(b"ftyp", b"MSNV\0\0\0\0isomheic") + META + box(b"mdat", b""))
     assert format_of(tmp_path / "a.heic") == "heif"
 
 
@@ -42,6 +44,7 @@ def test_a_compatible_brand_is_enough(tmp_path):
         (FTYP + struct.pack(">I", 1000) + b"mdat" + b"half", "ends too early"),
         (FTYP + struct.pack(">I", 1) + b"mdat" + struct.pack(">Q", 10**12), "ends too early"),
         (FTYP + box(b"free", b"") * 20_000, "ends too early"),
+        (FTYP + box(b"mdat", b"no directory"), "directory is damaged"),
     ],
 )
 def test_what_is_no_picture_is_refused_with_the_reason(tmp_path, content, reason):
@@ -52,7 +55,7 @@ def test_what_is_no_picture_is_refused_with_the_reason(tmp_path, content, reason
 
 def test_something_appended_by_the_maker_does_no_harm(tmp_path):
     (tmp_path / "a.heic").write_bytes(HEADS["heif"] + b"SEFT trailer of some phone")
-    (tmp_path / "b.heic").write_bytes(FTYP + box(b"meta", b"1234") + struct.pack(">I", 0) + b"mdat to the end")
+    (tmp_path / "b.heic").write_bytes(FTYP + META + struct.pack(">I", 0) + b"mdat to the end")
     assert format_of(tmp_path / "a.heic") == "heif"
     assert format_of(tmp_path / "b.heic") == "heif"
 
