@@ -144,7 +144,7 @@ def _svg_line(line, key, class_, factor):
         if path:
             name = f"{key}{'d' if doubtful else ''}"
             parts.append(element("path", id=name, d=path, class_="doubtful" if doubtful else None))
-            parts.insert(0, element("use", href=f"#{name}", class_="casing"))
+            parts.insert(0, element("use", class_="casing", **{"xlink:href": f"#{name}"}))
     return element("g", "".join(parts), class_=class_) if parts else ""
 
 

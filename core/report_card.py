@@ -149,7 +149,7 @@ def _overlay(photo, number, picture_px):
     )
     views = "".join(
         f'<svg class="{class_}" viewBox="0 {first:.1f} {SPAN:g} {extent:.1f}" role="img" aria-label="{name}">'
-        f'<title>{name}</title><use href="#{key}-picture"/><use href="#{key}-lines"/></svg>'
+        f'<title>{name}</title><use xlink:href="#{key}-picture"/><use xlink:href="#{key}-lines"/></svg>'
         for class_, first, extent in (("focus", top, box), ("whole", 0.0, tall))
     )
     return f'<figure class="overlay">{store}{views}{_legend(photo)}</figure>'
@@ -166,7 +166,7 @@ def _picture(photo, picture_px, tall):
     if photo.evidence is not None:
         parts.append((data_url(encode_png(evidence_rgba(photo.evidence)), "png"), ' class="evidence"'))
     return "".join(
-        f'<image href="{url}" width="{SPAN:g}" height="{tall:.1f}" preserveAspectRatio="none"{class_}/>'
+        f'<image xlink:href="{url}" width="{SPAN:g}" height="{tall:.1f}" preserveAspectRatio="none"{class_}/>'
         for url, class_ in parts
     )
 

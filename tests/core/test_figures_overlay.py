@@ -86,12 +86,12 @@ def test_evidence_tints_rows_that_are_likely_and_leaves_columns_clear_that_know_
 
 def test_layers_carry_classes_for_each_line_and_unique_names(painted):
     layers = overlay_svg_lines(painted(), "p7")
-    root = ElementTree.fromstring(f"<svg>{layers}</svg>")
+    root = ElementTree.fromstring(f'<svg xmlns:xlink="l">{layers}</svg>')
     classes = [group.get("class") for group in root]
     assert classes == ["line-alternative rank3", "line-alternative rank2", "line-extracted", "line-best"]
     names = [part.get("id") for part in root.iter() if part.get("id")]
     assert len(names) == len(set(names))
-    used = [part.get("href") for part in root.iter() if part.tag == "use"]
+    used = [part.get("{l}href") for part in root.iter() if part.tag == "use"]
     assert {name[1:] for name in used} == set(names)
     assert all(name.startswith("p7-") for name in names)
     x = [float(value) for value in re.findall(r"M([-\d.]+) ", layers)]
