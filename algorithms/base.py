@@ -24,7 +24,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
     """Base of the algorithms.
 
     A subclass sets `ID`, says what it is in `displayName`, `group`, `help_text` and `tags`, and does its work in
-    `run`, which may raise the core's errors. Files and layers are written when the work is done, so that a failed
+    `compute`, which may raise the core's errors. Files and layers are written when the work is done, so that a failed
     or cancelled run leaves nothing behind.
     """
 
@@ -90,13 +90,13 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
     def processAlgorithm(self, parameters, context, feedback):
         """Run, and say a core error as QGIS's."""
         try:
-            return self.run(parameters, context, feedback)
+            return self.compute(parameters, context, feedback)
         except Cancelled as stop:
             raise QgsProcessingException(tr("Cancelled. Nothing was written.")) from stop
         except SkylineViewshedError as error:
             raise QgsProcessingException(str(error)) from error
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Do the work and return the outputs."""
         raise NotImplementedError
 

@@ -99,7 +99,7 @@ class DirectedViewshed(SkylineAlgorithm):
         self.dem = dem_source(self, parameters, context)
         return True
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Compute photo by photo, then write."""
         _, rows = read_points(self, parameters, context, "INPUT", None, [*POSE_FIELDS, "HEIGHT_FIELD"])
         sights = [sight_of(row) for row in rows]

@@ -66,7 +66,7 @@ class ExtractSkyline(SkylineAlgorithm):
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of skylines")))
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Extract photo by photo, then write."""
         _, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", needs_position=False)
         method = shared.METHODS[self.parameterAsEnum(parameters, "METHOD", context)]
@@ -84,6 +84,7 @@ class ExtractSkyline(SkylineAlgorithm):
             count += 1
             if folder:
                 write_overlay(found, folder)
+        checkpoint(FeedbackProgress(feedback), 0.95)
         specs = skyline_specs()
         output = write_features(
             self,

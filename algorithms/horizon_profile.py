@@ -13,7 +13,7 @@ from qgis.core import (
 
 from ..core.errors import PhotoError
 from ..core.horizon import HorizonOptions
-from ..core.progress import subtask
+from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
@@ -91,7 +91,7 @@ class HorizonProfile(SkylineAlgorithm):
         self.dem = dem_source(self, parameters, context)
         return True
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Cast point by point, then write."""
         source, rows = read_points(self, parameters, context)
         options = HorizonOptions(
@@ -139,6 +139,7 @@ def cast_each(rows, dem, eye_height_m, options, feedback):
             yield row, horizon_profile(dem, observer, options, part)
         except PhotoError as error:
             warn(feedback, row.name, str(error))
+    checkpoint(progress, 0.95)
 
 
 def sky_view(profile):

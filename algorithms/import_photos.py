@@ -76,7 +76,7 @@ class ImportPhotos(SkylineAlgorithm):
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
         self.addOutput(QgsProcessingOutputNumber("REJECTED_COUNT", tr("Number of rejected photos")))
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Read each file, then write both layers."""
         folder = self.parameterAsFile(parameters, "FOLDER", context)
         paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context))
@@ -122,4 +122,5 @@ def read_all(paths, feedback):
         else:
             feedback.reportError(f"{path.name}: {reason}", False)
             rejected.append((None, [str(path), path.stem, str(path.parent), reason]))
+    checkpoint(progress, 0.95)
     return taken, rejected

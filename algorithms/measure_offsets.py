@@ -104,7 +104,7 @@ class MeasureOffsets(SkylineAlgorithm):
         ):
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Read the pairs, apply eq. 10, write the means."""
         import numpy as np
 

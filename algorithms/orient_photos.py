@@ -89,7 +89,7 @@ class OrientPhotos(SkylineAlgorithm):
         self.dem = dem_source(self, parameters, context)
         return True
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Orient photo by photo, then write."""
         source, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
         options = options_of(self, parameters, context)

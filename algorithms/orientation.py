@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..core.errors import Cancelled
 from ..core.horizon import HorizonOptions
-from ..core.progress import subtask
+from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .fields import joined_fields
@@ -114,6 +114,7 @@ def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
         if answer.status in ("failed", "rejected"):
             warn(feedback, name, answer.message)
         yield oriented
+    checkpoint(progress, 1.0)
 
 
 def without_photo():

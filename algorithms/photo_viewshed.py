@@ -133,7 +133,7 @@ class PhotoViewshed(SkylineAlgorithm):
         self.dem = dem_source(self, parameters, context)
         return True
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Orient a photo, compute what it shows, take the next; then write."""
         photos = photo_rows(self, parameters, context, feedback)
         options = options_of(self, parameters, context, "HORIZON_DISTANCE")

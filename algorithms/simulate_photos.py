@@ -88,7 +88,7 @@ class SimulatePhotos(SkylineAlgorithm):
         self.dem = dem_source(self, parameters, context)
         return True
 
-    def run(self, parameters, context, feedback):
+    def compute(self, parameters, context, feedback):
         """Render point by point; each file is whole before the next begins."""
         _, rows = read_points(self, parameters, context, "INPUT", None, POSE_FIELDS)
         size = tuple(self.parameterAsInt(parameters, name, context) for name in ("WIDTH", "HEIGHT"))

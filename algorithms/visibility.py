@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..core.camera import Camera, Pose, focal_of_fov_px
 from ..core.errors import Cancelled, PhotoError
-from ..core.progress import subtask
+from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
@@ -142,6 +142,7 @@ def see_each(sights, dem, kind, eye_height_m, options, feedback, share=(0.0, 1.0
             raise
         if viewshed is not None:
             yield sight, viewshed
+    checkpoint(progress, 1.0)
 
 
 def see(sight, dem, kind, eye_height_m, options, feedback, progress):

@@ -76,3 +76,69 @@ def qgis_process(shell_environment):
         )
 
     return run
+
+
+@pytest.fixture(scope="session")
+def scene(tmp_path_factory):
+    """A simulated range with two photographs of known pose, and the odd files that folders hold.
+
+    Returns
+    -------
+    SimpleNamespace
+        `folder` with north.jpg and west.jpg, `dem`, `truth` (heading, pitch, roll by name), `positions` (lon, lat),
+        `hfov_deg`, `odd` (folder with a photo without GPS, one at 0/0, one without focal length, an empty and a
+        damaged file).
+    """
+    from dataclasses import replace
+    from types import SimpleNamespace
+
+    from skyline_viewshed.core.camera import Camera, Pose, focal_from_35mm_px
+    from skyline_viewshed.core.io.raster import open_dem
+    from skyline_viewshed.core.io.write_photo import write_photo
+    from skyline_viewshed.core.io.write_raster import write_dem
+    from skyline_viewshed.core.model import PhotoMetadata
+    from skyline_viewshed.core.mountains import MountainOptions, make_mountains
+    from skyline_viewshed.core.render import render_view
+    from skyline_viewshed.core.render_scene import clean_scene
+    from skyline_viewshed.core.terrain import Observer
+
+    root = tmp_path_factory.mktemp("scene")
+    folder, odd, dem_path = root / "photos", root / "odd", root / "dem.tif"
+    folder.mkdir()
+    odd.mkdir()
+    mountains = make_mountains(5, MountainOptions(size=320, cell_m=75.0))
+    write_dem(str(dem_path), mountains.elevation_m, 75.0, 8.0, 46.5)
+    dem = open_dem(str(dem_path))
+    width, height, f35 = 800, 600, 28.0
+    camera = Camera(width, height, focal_from_35mm_px(width, height, f35))
+    truth, positions, metadata = {}, {}, None
+    places = {"north": ((160, 160), Pose(20.0, 2.0, 0.5)), "west": ((200, 120), Pose(260.0, 3.0, 0.0))}
+    for name, (pixel, pose) in places.items():
+        longitude, latitude = map(float, dem.position_of(*pixel))
+        view = render_view(dem, Observer(longitude, latitude, 2.0), camera, pose, clean_scene(len(truth)))
+        path = str(folder / f"{name}.jpg")
+        metadata = PhotoMetadata(
+            path,
+            width,
+            height,
+            latitude_deg=latitude,
+            longitude_deg=longitude,
+            altitude_m=view.eye_elevation_m,
+            altitude_reference="sea level",
+            focal_length_35mm=f35,
+            compass_heading_deg=(pose.heading_deg + 6.0) % 360,
+            compass_reference="T",
+            camera="Test Camera",
+        )
+        write_photo(path, view.pixels, metadata)
+        truth[name], positions[name] = pose, (longitude, latitude)
+    nowhere = replace(metadata, latitude_deg=None, longitude_deg=None)
+    write_photo(str(odd / "no_gps.jpg"), view.pixels, nowhere)
+    write_photo(str(odd / "null_island.jpg"), view.pixels, replace(metadata, latitude_deg=0.0, longitude_deg=0.0))
+    write_photo(str(odd / "no_focal.jpg"), view.pixels, replace(metadata, focal_length_35mm=None))
+    write_photo(str(odd / "no_sky.jpg"), view.pixels[-60:, :, :].repeat(10, 0), metadata)
+    (odd / "empty.heic").write_bytes(b"")
+    (odd / "damaged.jpg").write_bytes((folder / "west.jpg").read_bytes()[:3000])
+    return SimpleNamespace(
+        folder=folder, odd=odd, dem=dem_path, truth=truth, positions=positions, hfov_deg=camera.hfov_deg
+    )
