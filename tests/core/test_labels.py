@@ -43,10 +43,16 @@ def test_nothing_overlaps_and_nothing_leaves_the_canvas(points):
         assert abs(label.leader[1] - label.leader[2]) <= OPTIONS.longest_lead_px + OPTIONS.line_px
 
 
-def test_the_more_important_label_gets_the_better_place():
+def test_neighbours_slide_aside_for_one_another():
     labels = lay_out_labels([200.0, 210.0], [150.0, 150.0], [80.0, 80.0], (400, 300))
-    assert labels[0].leader[1] > labels[1].leader[1]
     assert [label.index for label in labels] == [0, 1]
+    assert all(label.leader[1] == 150 - OPTIONS.lead_px for label in labels)
+
+
+def test_the_more_important_label_gets_the_shorter_leader():
+    labels = lay_out_labels([200.0, 212.0, 206.0], np.full(3, 150.0), np.full(3, 80.0), (400, 300))
+    leads = [abs(label.leader[1] - label.leader[2]) for label in labels]
+    assert len(labels) == 3 and leads[0] == min(leads) == OPTIONS.lead_px
 
 
 def test_a_point_at_the_upper_edge_is_labelled_below():
