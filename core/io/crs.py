@@ -29,7 +29,7 @@ def spatial_reference(crs):
     with quiet_gdal():
         try:
             failed = reference.SetFromUserInput(crs)
-        except RuntimeError:
+        except (RuntimeError, TypeError):  # TypeError: text that is no UTF-8, from a damaged header
             failed = True
     if failed:
         raise TerrainError(f"The coordinate reference system {crs[:80]!r} is not understood. Assign a valid one.")

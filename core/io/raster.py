@@ -8,10 +8,10 @@ import numpy as np
 from osgeo import gdal
 
 from ..angles import wrap_180
-from ..errors import ObserverOutsideDemError, UnusableDemError
+from ..errors import ObserverOutsideDemError, TerrainError, UnusableDemError
 from ..frame import tabulate_frame
 from ..terrain import Window
-from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
+from .crs import Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
 from .gdal_quiet import open_quietly, quiet_gdal, small_cache
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
@@ -57,6 +57,11 @@ def open_dem(path, band=1):
         if not os.path.exists(path):
             raise UnusableDemError(f"The DEM {path} does not exist. Check the path.")
         raise UnusableDemError(f"The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.")
+    with quiet_gdal():  # GDAL reads, and complains of, the rest of the header only now
+        return _dem(path, dataset, band)
+
+
+def _dem(path, dataset, band):
     if not 1 <= band <= dataset.RasterCount:
         raise UnusableDemError(f"The DEM {path} has {dataset.RasterCount} band(s), and no band {band}.")
     if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
@@ -72,7 +77,12 @@ def _crs_wkt(path, dataset):
         raise UnusableDemError(
             f"The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs)."
         )
-    return reference.ExportToWkt()
+    wkt = reference.ExportToWkt()
+    try:
+        spatial_reference(wkt)
+    except TerrainError as error:
+        raise UnusableDemError(f"The DEM {path} cannot be placed. {error}") from None
+    return wkt
 
 
 def _geotransform(path, dataset):

@@ -360,10 +360,10 @@ def test_an_empty_folder_is_empty_and_a_missing_one_is_told(tmp_path):
         list_photos(tmp_path / "missing")
 
 
-def test_ten_thousand_photographs_are_listed(tmp_path):
-    for number in range(10_000):
+def test_a_large_folder_is_listed(tmp_path):
+    for number in range(2000):
         (tmp_path / f"IMG_{number:05}.JPG").touch()
-    assert len(list_photos(tmp_path)) == 10_000
+    assert len(list_photos(tmp_path)) == 2000
 
 
 def test_reading_changes_nothing_on_disk(tmp_path):
