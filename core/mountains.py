@@ -8,6 +8,7 @@ spanning tree, so that no step needs a loop over cells.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage
@@ -105,19 +106,31 @@ def roughness(elevation_m, cell_m, coarse_cell_m, seed, strength=0.22, origin_px
     (R, C) array
         To be added [m].
     """
-    smooth = ndimage.gaussian_filter(elevation_m, max(coarse_cell_m / cell_m, 0.7), mode="nearest")
+    smooth = ndimage.gaussian_filter(elevation_m, max(coarse_cell_m / cell_m, 0.7), mode="nearest", truncate=2.5)
     slope = np.hypot(*np.gradient(smooth, cell_m))
-    rows = (np.arange(elevation_m.shape[0]) + origin_px[0])[:, None]
-    cols = (np.arange(elevation_m.shape[1]) + origin_px[1])[None, :]
-    total = np.zeros(elevation_m.shape)
-    # Crests are sharp and gullies blunt: the ridged part folds the noise at its zeros.
-    for part, (wave_cells, gain) in enumerate(((3.0, 0.65), (0.8, 0.3), (0.25, 0.12))):
-        to_tile = cell_m / (coarse_cell_m * wave_cells) * 8
-        if to_tile > 64:  # finer than the grid itself can show
+    pattern = _rough_pattern(seed, float(coarse_cell_m / cell_m))
+    rows = (np.arange(elevation_m.shape[0]) + origin_px[0]) % len(pattern)
+    cols = (np.arange(elevation_m.shape[1]) + origin_px[1]) % len(pattern)
+    return strength * coarse_cell_m * pattern[rows][:, cols] * np.minimum(slope, 1.2)
+
+
+PATTERN_CELLS = 512
+
+
+@lru_cache(maxsize=4)
+def _rough_pattern(seed, fine_per_coarse):
+    """Periodic roughness on the fine grid: crests are sharp and gullies blunt, since noise is folded at its zeros."""
+    index = np.arange(PATTERN_CELLS)
+    total = np.zeros((PATTERN_CELLS, PATTERN_CELLS), np.float32)
+    for part, (wave_coarse_cells, gain) in enumerate(((3.0, 0.65), (0.8, 0.3), (0.25, 0.12))):
+        # The strongest waves of a tile are about 8 of its cells long; whole turns keep the pattern periodic.
+        turns = max(round(PATTERN_CELLS / 256 * 8 / (fine_per_coarse * wave_coarse_cells)), 1)
+        to_tile = turns * 256 / PATTERN_CELLS
+        if to_tile > 16:  # finer than the grid itself can show
             continue
-        noise = noise_tile(seed + part, 1.2).sample(cols * to_tile, rows * to_tile, max(to_tile, 1.0))[..., 0]
+        noise = noise_tile(seed + part, 1.2).sample(index[None, :] * to_tile, index[:, None] * to_tile, to_tile)[..., 0]
         total += gain * (0.7 - np.abs(noise) + 0.35 * noise)
-    return strength * coarse_cell_m * total * np.minimum(slope, 1.2)
+    return total
 
 
 def _carve(generator, whole_m, options, progress):
