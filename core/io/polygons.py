@@ -74,7 +74,7 @@ def _parts(seen, window, dem):
     table = ogr.GetDriverByName("Memory").CreateDataSource("")
     layer = table.CreateLayer("seen", None, ogr.wkbPolygon)
     with quiet_gdal():
-        gdal.Polygonize(band, band, layer, -1, ["DATASET_FOR_GEOREF=YES"])
+        gdal.Polygonize(band, band, layer, -1)
     return [feature.GetGeometryRef().Clone() for feature in layer]
 
 
