@@ -73,6 +73,12 @@ def ticks(low, high, count=5):
     return np.arange(first, last + 1) * step + 0.0
 
 
+def round_below(value):
+    """Largest 1, 2 or 5 times a power of ten that does not exceed a positive value: the length of a scale bar."""
+    power = 10.0 ** np.floor(np.log10(value) + 1e-9)
+    return float(power * max(m for m in (1, 2, 5) if m * power <= value * (1 + 1e-9)))
+
+
 def spans_360(first_deg, width_deg):
     """Cut an arc that starts at `first_deg`, clockwise, into spans (from, to) of the axis 0 to 360 [degrees]."""
     first = float(wrap_360(first_deg))
@@ -196,6 +202,7 @@ _RULES = """
 .residual{stroke:var(--extracted);stroke-width:1.4;fill:none}.residual-fill{fill:var(--extracted);fill-opacity:.2}
 .zero{stroke:var(--best);stroke-width:1.5;fill:none}
 .unknown{fill:var(--shade);fill-opacity:.28}.clipped{fill:var(--alternative);fill-opacity:.16}
+.arrow{fill:var(--ink);stroke:none}
 .horizon{stroke:var(--ink);stroke-width:1;fill:none;stroke-linejoin:round}
 """
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from .angles import true_to_grid
 from .draw_raster import draw_area, draw_dot, draw_line, draw_words, resized, tint, words_width
-from .draw_svg import ticks
+from .draw_svg import round_below
 from .hillshade import hillshade
 
 WEDGE = (255, 154, 31)
@@ -133,8 +133,7 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
 
 def scale_bar(pixels, metres_per_px, unit=1.0):
     """Draw a scale bar of a round length at the lower left, in place."""
-    longest_m = 0.28 * pixels.shape[1] * metres_per_px
-    length_m = float(max(ticks(0, longest_m, 1)[-1], ticks(0, longest_m, 2)[-1]))
+    length_m = round_below(0.28 * pixels.shape[1] * metres_per_px)
     words = f"{length_m / 1000:g} km" if length_m >= 1000 else f"{length_m:g} m"
     left, base = 18 * unit, pixels.shape[0] - 18 * unit
     right = left + length_m / metres_per_px

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .figures_stations import Station, stations_svg
 from .report_card import photo_card
 from .report_facts import STATUSES, summarise
 from .report_overview import bar, overview_table, switches
@@ -12,6 +13,9 @@ MOST_ACCEPTED_WITH_FIGURES = 1_000
 
 MOST_WITH_FIGURES = 2_000
 """All photographs drawn in full: the doubtful ones keep their pictures longer."""
+
+
+MOST_ON_PLAN = 1_000
 
 
 class ReportWriter(PageWriter):
@@ -28,11 +32,12 @@ class ReportWriter(PageWriter):
     def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, expected_photos=0):
         super().__init__(document, title, parameters, software=software, created=created)
         self._picture_px = picture_width_px(expected_photos)
-        self._summaries, self._drawn = [], 0
+        self._summaries, self._stations, self._drawn = [], [], 0
 
     def add(self, photo, extras=None):
         """Append the card of an `OrientedPhoto`; `extras` maps further labels to values."""
         self._summaries.append(summarise(photo))
+        self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
         most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status == "accepted" else MOST_WITH_FIGURES
         figures = self._drawn < most
         self._drawn += figures
@@ -43,7 +48,13 @@ class ReportWriter(PageWriter):
         return [f"{count} {name}" for count, name in counts if count]
 
     def _frame(self):
-        return (switches(), bar(self._summaries)), overview_table(self._summaries), self._left_out()
+        return (switches(), bar(self._summaries)), overview_table(self._summaries) + self._plan(), self._left_out()
+
+    def _plan(self):
+        """The plan of the stations, folded in; the first thousand of them."""
+        plan = stations_svg(self._stations[:MOST_ON_PLAN])
+        summary = "<summary>Where the photographs stand and look</summary>"
+        return f'<details class="panel">{summary}{plan}</details>' if plan else ""
 
     def _left_out(self):
         missing = len(self._summaries) - self._drawn
@@ -54,6 +65,13 @@ class ReportWriter(PageWriter):
             f"report draws the first {MOST_WITH_FIGURES} in full ({MOST_ACCEPTED_WITH_FIGURES} accepted ones). "
             "Run them in smaller groups to see them all.</p>"
         )
+
+
+def _station(photo, summary, number):
+    where = photo.longitude_deg, photo.latitude_deg
+    return Station(
+        *where, summary.name, summary.status, summary.heading_deg, summary.hfov_deg, anchor=f"photo-{number}"
+    )
 
 
 def picture_width_px(photos):

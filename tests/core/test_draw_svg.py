@@ -16,12 +16,20 @@ from skyline_viewshed.core.draw_svg import (
     figure,
     on_circle,
     polyline_path,
+    round_below,
     sector_path,
     spans_360,
     standalone,
     text,
     ticks,
 )
+
+
+@given(st.floats(1e-6, 1e9))
+def test_a_scale_bar_is_round_and_nearly_as_long_as_allowed(longest):
+    length = round_below(longest)
+    assert longest / 2.51 < length <= longest * 1.0001
+    assert any(abs(length / 10.0**power / m - 1) < 1e-6 for m in (1, 2, 5) for power in range(-7, 10))
 
 
 def points_of(path):

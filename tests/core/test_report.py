@@ -81,9 +81,11 @@ def page(html):
 
 def test_every_photo_has_a_card_a_row_and_a_link_between_them(page):
     anchors = [attributes.get("id") for tag, attributes in page.tags if tag == "article"]
-    links = [attributes["href"] for tag, attributes in page.tags if tag == "a"]
+    links = [attributes["href"] for tag, attributes in page.tags if tag == "a" and "href" in attributes]
     assert anchors == ["photo-1", "photo-2", "photo-3", "photo-4"]
     assert links == [f"#{anchor}" for anchor in anchors]
+    on_plan = [attributes["xlink:href"] for tag, attributes in page.tags if tag == "a" and "xlink:href" in attributes]
+    assert on_plan == links[:3]  # the fourth has no position
 
 
 def test_a_card_shows_overlay_curve_rose_residuals_and_horizon(page):
