@@ -8,11 +8,61 @@ from __future__ import annotations
 
 import numpy as np
 
+from .skyline_seam import best_line
+from .skyline_windows import means_above_below, sum_above
+
 NOISE_FLOOR = (2.0, 1.0, 1.0, 0.02)
 """Variance added per feature (L*, a*, b*, log texture): a cluster is never narrower than rounding and grain."""
 
 SAMPLE = 4000
 FEWEST = 200
+FEWEST_IN_CLUSTER = 15
+
+RATIO_LIMIT = 5.0
+"""Log-likelihood ratios are clipped here, lest a lake or a snowfield decide a whole column."""
+
+SEAM_COST_PER_PX = 0.15
+SEAM_WINDOWS_PX = (6, 18, 54)
+
+
+def learn_sky(appearance, passes=3):
+    """Log-likelihood ratio of sky against ground by a model learned from this picture, clipped, (H, W) float32.
+
+    A first seam follows edges with few edges above it; the mixtures learn from both its sides, a better seam follows,
+    and so on. Zero where nothing can be learned.
+
+    Parameters
+    ----------
+    appearance : Appearance
+    passes : int
+        Rounds of learning.
+    """
+    height, width = appearance.texture.shape
+    rows = np.arange(height)[:, None]
+    edge = np.minimum(appearance.edge, 3)
+    clutter = sum_above(np.clip(edge - 0.7, 0, 1.5))
+    line = best_line(edge - 0.02 * np.minimum(clutter, 60) - 0.4 * (rows < 2), SEAM_COST_PER_PX)
+    ratio = np.zeros((height, width), np.float32)
+    for turn in range(passes):
+        if turn:
+            line = best_line(_seam_score(edge, ratio), SEAM_COST_PER_PX)
+        is_sky = rows < line - 3
+        is_ground = (rows > line + 3) & (rows < line + 0.5 * height)
+        learned = sky_log_ratio(appearance.colour, is_sky, is_ground)
+        if learned is None:
+            break
+        ratio = np.clip(learned, -RATIO_LIMIT, RATIO_LIMIT)
+    return ratio
+
+
+def _seam_score(edge, ratio):
+    """An edge with sky-like pixels above it, ground-like ones below, and little ground anywhere above."""
+    contrast = 0
+    for window in SEAM_WINDOWS_PX:
+        above, below = means_above_below(ratio, window)
+        contrast = contrast + (above - below) / len(SEAM_WINDOWS_PX)
+    ground_above = sum_above(np.clip(-ratio, 0, 2))
+    return 0.5 * edge + 0.35 * contrast - 0.02 * np.minimum(ground_above, 100)
 
 
 def sky_log_ratio(features, is_sky, is_ground, clusters=4):
@@ -20,7 +70,7 @@ def sky_log_ratio(features, is_sky, is_ground, clusters=4):
 
     Parameters
     ----------
-    features : (H, W, F) float32 array
+    features : (H, W, 4) float32 array
         Colour and texture per pixel.
     is_sky, is_ground : (H, W) bool arrays
         Pixels to learn from.
@@ -32,15 +82,17 @@ def sky_log_ratio(features, is_sky, is_ground, clusters=4):
     (H, W) float32 array, or None where either side has too few pixels to learn from.
     """
     height, width, count = features.shape
-    flat = features.reshape(-1, count)
-    log_density = []
+    # Centred, so that the quadratic forms below keep their precision in float32.
+    flat = features.reshape(-1, count) - features.reshape(-1, count).mean(0)
+    samples = []
     for mask in (is_sky, is_ground):
         chosen = np.flatnonzero(mask)
         if len(chosen) < FEWEST:
             return None
-        sample = flat[chosen[np.linspace(0, len(chosen) - 1, min(len(chosen), SAMPLE)).astype(int)]]
-        log_density.append(_mixture_log_density(flat, sample, k_means(sample, clusters)))
-    return (log_density[0] - log_density[1]).reshape(height, width)
+        samples.append(flat[chosen[np.linspace(0, len(chosen) - 1, min(len(chosen), SAMPLE)).astype(int)]])
+    monomials = _monomials(flat)
+    sky, ground = (_mixture_density(monomials, sample, k_means(sample, clusters)) for sample in samples)
+    return (np.log(sky) - np.log(ground)).reshape(height, width)
 
 
 def k_means(points, clusters, rounds=15):
@@ -76,17 +128,26 @@ def k_means(points, clusters, rounds=15):
     return label
 
 
-def _mixture_log_density(flat, sample, label):
-    """Log-density up to a constant of Student-like clusters (tails of a t-distribution with 4 degrees of freedom)."""
-    best = np.full(len(flat), -60.0, np.float32)
+def _monomials(flat):
+    """(N, 1 + F + F (F + 1) / 2) array of 1, x_i, x_i x_j: every quadratic form of x is linear in them."""
+    first, second = np.triu_indices(flat.shape[1])
+    return np.concatenate([np.ones((len(flat), 1), np.float32), flat, flat[:, first] * flat[:, second]], 1)
+
+
+def _mixture_density(monomials, sample, label):
+    """Density up to a constant of clusters with the tails of a t-distribution, (N,) float32, above 0."""
+    count = sample.shape[1]
+    first, second = np.triu_indices(count)
+    forms, heights = [], []
     for cluster in np.unique(label):
-        own = sample[label == cluster]
-        if len(own) < 15:
+        own = sample[label == cluster].astype(float)
+        if len(own) < FEWEST_IN_CLUSTER:
             continue
-        precision = np.linalg.inv(np.cov(own.T) + np.diag(NOISE_FLOOR[: flat.shape[1]]))
-        whitening = np.linalg.cholesky(precision).astype(np.float32)
-        offset = (flat - own.mean(0, dtype=np.float32)) @ whitening
-        distance2 = np.einsum("ij,ij->i", offset, offset)
-        height = np.float32(np.log(np.diag(whitening)).sum() + np.log(len(own) / len(sample)))
-        best = np.logaddexp(best, height - 4 * np.log1p(distance2 / 6))
-    return best
+        precision = np.linalg.inv(np.cov(own.T) + np.diag(NOISE_FLOOR[:count]))
+        centre = own.mean(0)
+        cross = precision[first, second] * np.where(first == second, 1, 2)
+        forms.append(np.concatenate([[centre @ precision @ centre], -2 * precision @ centre, cross]))
+        heights.append(np.sqrt(np.linalg.det(precision)) * len(own) / len(sample))
+    distance2 = np.maximum(monomials @ np.array(forms, np.float32).T, 0)
+    tail = 1 / (1 + distance2 / 6)
+    return (tail**2) ** 2 @ np.array(heights, np.float32) + np.float32(1e-30)

@@ -18,8 +18,10 @@ import numpy as np
 from . import imaging
 from .errors import SkylineNotFoundError
 from .model import Skyline, SkylineEvidence
+from .skyline_appearance import measure
+from .skyline_colour import learn_sky
 from .skyline_crop import find_crop
-from .skyline_features import boundary_features, learn_sky, measure
+from .skyline_features import boundary_features
 from .skyline_seam import best_line, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("skyline_weights.json")
