@@ -11,6 +11,7 @@ import io
 import numpy as np
 
 from .draw_text import plain
+from .errors import MissingPackageError
 from .optional import require
 
 OVERSAMPLING = 3
@@ -147,7 +148,13 @@ def _font(size_px, bold):
             return fonts.truetype(name, round(size_px))
         except OSError:
             continue
-    return fonts.load_default(round(size_px))
+    try:
+        return fonts.load_default(round(size_px))
+    except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and knows no anchors
+        raise MissingPackageError(
+            "Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or "
+            "Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow."
+        ) from None
 
 
 def _cover(pixels, pieces, colour, width_px, opacity):

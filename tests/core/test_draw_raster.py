@@ -95,3 +95,15 @@ def test_without_pillow_the_message_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "PIL", None)
     with pytest.raises(MissingPackageError, match="Pillow"):
         draw.encode_png(blank())
+
+
+def test_an_old_pillow_without_the_usual_fonts_says_what_to_install(monkeypatch):
+    fonts = pytest.importorskip("PIL.ImageFont")
+
+    def missing(*_):
+        raise OSError("no such font")
+
+    monkeypatch.setattr(fonts, "truetype", missing)
+    with pytest.raises(MissingPackageError, match="font"):
+        monkeypatch.setattr(fonts, "load_default", lambda: None)  # as before Pillow 10.1
+        draw.words_width("Eiger")
