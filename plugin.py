@@ -21,7 +21,7 @@ class SkylineViewshedPlugin:
         None in qgis_process and on a server.
     """
 
-    def __init__(self, iface):
+    def __init__(self, iface):  # noqa: QGS105 (QGIS itself passes it)
         self.iface = iface
         self.provider = None
         self.translator = None

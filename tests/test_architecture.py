@@ -157,20 +157,3 @@ def test_nothing_is_swallowed_or_printed(path):
         assert not (isinstance(node, ast.ExceptHandler) and node.type is None), "bare except"
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             assert node.func.id not in ("print", "eval", "exec")
-
-
-@pytest.mark.parametrize("path", SHELL)
-def test_enum_members_are_named_with_their_class(path):
-    """PyQt6 knows `QgsProcessing.SourceType.TypeVectorPoint` only, not `QgsProcessing.TypeVectorPoint`."""
-    qgis_core = pytest.importorskip("qgis.core")
-    qt_core = pytest.importorskip("qgis.PyQt.QtCore")
-    for node in ast.walk(tree_of(path)):
-        if not (isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)):
-            continue
-        owner = getattr(qgis_core, node.value.id, None) or getattr(qt_core, node.value.id, None)
-        if not isinstance(owner, type) or not node.value.id.startswith(("Qgs", "Qgis", "Qt", "QMetaType", "QVariant")):
-            continue
-        member = getattr(owner, node.attr, None)
-        assert not (isinstance(member, int) and node.attr[0].isupper() and node.attr.upper() != node.attr), (
-            f"{path}:{node.lineno}: {node.value.id}.{node.attr}"
-        )
