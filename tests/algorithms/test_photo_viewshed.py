@@ -1,0 +1,129 @@
+from pathlib import Path
+
+import pytest
+from osgeo import gdal
+from qgis.core import QgsProcessingException, QgsVectorLayer
+
+
+@pytest.fixture(scope="session")
+def solved(provider, scene, tmp_path_factory):
+    """The whole pipeline over the scene's photographs and the odd ones, once."""
+    import shutil
+
+    import processing
+
+    out = tmp_path_factory.mktemp("out")
+    photos = out / "photos"
+    photos.mkdir()
+    for path in [*scene.folder.iterdir(), scene.odd / "no_gps.jpg", scene.odd / "empty.heic"]:
+        shutil.copy(path, photos / path.name)
+    parameters = {
+        "FOLDER": str(photos),
+        "DEM": str(scene.dem),
+        "MAX_DISTANCE": 10_000,
+        "OUTPUT": str(out / "deep" / "points.gpkg"),
+        "POLYGONS": str(out / "polygons.gpkg"),
+        "VIEWSHED": str(out / "viewshed.tif"),
+        "REPORT": str(out / "report.html"),
+    }
+    return out, processing.run("skylineviewshed:photoviewshed", parameters)
+
+
+def test_parameters_are_the_contract(algorithm):
+    it = algorithm("photoviewshed")
+    names = {definition.name() for definition in it.parameterDefinitions()}
+    wanted = "FOLDER INPUT PHOTO_FIELD DEM BAND METHOD COMPASS HFOV_FIELD HEIGHT_FIELD EYE_HEIGHT MAX_DISTANCE "
+    wanted += "REFRACTION SECTOR TARGET_HEIGHT MIN_DISTANCE OUTPUT POLYGONS VIEWSHED REPORT"
+    assert set(wanted.split()) <= names
+
+
+def test_few_parameters_are_visible_at_first(algorithm):
+    from qgis.core import QgsProcessingParameterDefinition
+
+    it = algorithm("photoviewshed")
+    visible = [
+        definition.name()
+        for definition in it.parameterDefinitions()
+        if not definition.flags() & QgsProcessingParameterDefinition.Flag.FlagAdvanced
+        and not definition.isDestination()
+    ]
+    assert visible == ["FOLDER", "INPUT", "DEM", "MAX_DISTANCE", "SECTOR"]
+
+
+def test_one_run_gives_points_polygons_raster_and_report(solved):
+    out, results = solved
+    points = {f["filename"]: f for f in QgsVectorLayer(str(out / "deep" / "points.gpkg")).getFeatures()}
+    polygons = list(QgsVectorLayer(str(out / "polygons.gpkg")).getFeatures())
+    assert {name: f["status"] for name, f in points.items()} == {
+        "north": "accepted",
+        "west": "accepted",
+        "no_gps": "failed",
+        "empty": "failed",
+    }
+    assert points["north"]["heading"] == pytest.approx(20.0, abs=0.5)
+    assert points["north"].geometry().asPoint().x() == pytest.approx(float(points["north"]["longitude"]), abs=1e-9)
+    assert not points["no_gps"].hasGeometry()
+    assert sorted(Path(f["photo"]).name for f in polygons) == ["north.jpg", "west.jpg"]
+    assert (gdal.Open(str(out / "viewshed.tif")).ReadAsArray() == 1).sum() > 50
+    report = (out / "report.html").read_text(encoding="utf-8")
+    assert "Ground in view" in report and "no_gps.jpg" in report
+    assert (results["COUNT"], results["ACCEPTED"], results["VIEWSHEDS"]) == (4, 2, 2)
+
+
+def test_two_steps_give_the_same_as_one(solved, run, scene):
+    import numpy as np
+
+    out, _ = solved
+    parameters = {"INPUT": str(out / "deep" / "points.gpkg"), "DEM": str(scene.dem), "MAX_DISTANCE": 10_000}
+    results, _ = run("directedviewshed", {**parameters, "OUTPUT": str(out / "again.tif")})
+    assert results["COUNT"] == 2
+    one, two = (gdal.Open(str(out / name)).ReadAsArray() for name in ("viewshed.tif", "again.tif"))
+    assert np.mean((one == 1) != (two == 1)) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({}, "Choose a folder"),
+        ({"FOLDER": "{folder}", "INPUT": "{points}"}, "not both"),
+        ({"FOLDER": "/no/such/folder"}, "does not exist"),
+        ({"FOLDER": "{folder}", "DEM": "{folder}/north.jpg"}, "coordinate"),
+        ({"FOLDER": "{folder}", "MIN_DISTANCE": 10_000, "MAX_DISTANCE": 10_000}, "smaller"),
+        ({"FOLDER": "{folder}", "REPORT": "{dem}/report.html"}, "not a folder you may write to"),
+    ],
+)
+def test_wrong_choices_are_named_before_anything_runs(refusal, run, scene, tmp_path, changes, words):
+    texts = {"folder": scene.folder, "dem": scene.dem, "points": tmp_path / "points.gpkg"}
+    run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(texts["points"])})
+    given = {key: value.format(**texts) if isinstance(value, str) else value for key, value in changes.items()}
+    parameters = {"DEM": str(scene.dem), "OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": "TEMPORARY_OUTPUT"}
+    assert words in refusal("photoviewshed", {**parameters, **given})
+
+
+def test_an_empty_folder_is_refused(run, scene, tmp_path):
+    parameters = {"FOLDER": str(tmp_path), "DEM": str(scene.dem), "OUTPUT": "memory:", "POLYGONS": "memory:"}
+    with pytest.raises(QgsProcessingException, match="No photograph"):
+        run("photoviewshed", {**parameters, "VIEWSHED": str(tmp_path / "v.tif")})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_paper_s_method_gives_viewsheds_too(run, scene, tmp_path):
+    parameters = {"FOLDER": str(scene.folder), "DEM": str(scene.dem), "METHOD": 1, "SECTOR": 1, "MAX_DISTANCE": 5000}
+    outputs = {"OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": str(tmp_path / "v.tif")}
+    results, _ = run("photoviewshed", {**parameters, **outputs})
+    assert results["VIEWSHEDS"] == 2
+    assert all(0 < f["ncc"] <= 1 for f in results["OUTPUT"].getFeatures())
+
+
+def test_cancelling_leaves_nothing(run, scene, listener, tmp_path):
+    parameters = {
+        "FOLDER": str(scene.folder),
+        "DEM": str(scene.dem),
+        "OUTPUT": str(tmp_path / "points.gpkg"),
+        "POLYGONS": str(tmp_path / "polygons.gpkg"),
+        "VIEWSHED": str(tmp_path / "viewshed.tif"),
+        "REPORT": str(tmp_path / "report.html"),
+    }
+    with pytest.raises(QgsProcessingException, match="Cancelled"):
+        run("photoviewshed", parameters, listener(cancel_at=55))
+    assert list(tmp_path.iterdir()) == []

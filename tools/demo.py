@@ -1,0 +1,157 @@
+"""Run the main job through qgis_process, draw a map of the result, and compare headings with the truth.
+
+Usage: demo.py OUT [--photos FOLDER --dem RASTER]
+
+Without photographs and DEM it makes a small simulated sample first. `make demo` calls it with everything in place.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MAP_CELLS = 1400
+
+
+def main():
+    """Make the demo."""
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("out", type=Path)
+    arguments.add_argument("--photos", type=Path)
+    arguments.add_argument("--dem", type=Path)
+    given = arguments.parse_args()
+    if bool(given.photos) != bool(given.dem):
+        raise SystemExit("Give both: make demo PHOTOS=folder DEM=raster")
+    out = given.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    photos, dem = (given.photos, given.dem) if given.photos else sample(out / "sample")
+    results = run(photos.resolve(), dem.resolve(), out)
+    draw_map(results, dem, out / "map.png")
+    table(results, photos)
+    print("\nLook at:")
+    for name in ("report.html", "map.png", "skyline.gpkg", "viewshed.tif"):
+        print(f"  {(out / name).relative_to(ROOT) if out.is_relative_to(ROOT) else out / name}")
+
+
+def sample(folder):
+    """Simulated photographs and their DEM; made once."""
+    if not (folder / "truth.csv").exists():
+        print("Making the sample: a mountain range and photographs of it ...", flush=True)
+        subprocess.run([sys.executable, ROOT / "tools" / "make_sample.py", folder], check=True)
+    dems = sorted((folder / "dem").glob("*.tif"))
+    return folder / "photos", dems[0]
+
+
+def run(photos, dem, out):
+    """Orient the photographs and compute what they show; gives the paths of the outputs."""
+    results = {"points": out / "skyline.gpkg", "viewshed": out / "viewshed.tif", "report": out / "report.html"}
+    for path in results.values():
+        path.unlink(missing_ok=True)
+    command = [
+        shutil.which("qgis_process.bin") or "qgis_process",
+        "run",
+        "skylineviewshed:photoviewshed",
+        "--",
+        f"FOLDER={photos}",
+        f"DEM={dem}",
+        f"OUTPUT=ogr:dbname='{results['points']}' table=\"photos\" (geom)",
+        f"POLYGONS=ogr:dbname='{results['points']}' table=\"ground_in_view\" (geom)",
+        f"VIEWSHED={results['viewshed']}",
+        f"REPORT={results['report']}",
+    ]
+    print(" ".join(command[1:3]), photos, dem, flush=True)
+    start = time.monotonic()
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode != 0 or not results["points"].exists():
+        raise SystemExit(f"qgis_process failed ({done.returncode}):\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
+    print(f"done in {time.monotonic() - start:.0f} s")
+    return results
+
+
+def oriented_points(path):
+    """Attributes of the oriented photographs, by file name."""
+    from osgeo import ogr
+
+    source = ogr.Open(str(path))
+    return {Path(row["photo"]).name: row for row in (feature.items() for feature in source.GetLayerByName("photos"))}
+
+
+def draw_map(results, dem_path, target):
+    """Shaded relief with cameras and the ground they show."""
+    import numpy as np
+    from osgeo import gdal, ogr
+    from skyline_viewshed.core.draw_raster import encode_png
+    from skyline_viewshed.core.figures_map import MapData, MapObserver, map_image
+    from skyline_viewshed.core.io.raster import open_dem
+
+    dem = open_dem(dem_path)
+    source = ogr.Open(str(results["points"]))
+    observers, places = [], []
+    for feature in source.GetLayerByName("photos"):
+        shape, row = feature.GetGeometryRef(), feature.items()
+        if shape is None:
+            continue
+        col_px, row_px = (float(value) for value in dem.pixel_of(shape.GetX(), shape.GetY()))
+        if 0 <= col_px < dem.shape[1] and 0 <= row_px < dem.shape[0]:
+            places.append((col_px, row_px, row))
+    seen = gdal.Open(str(results["viewshed"])).ReadAsArray()
+    seen = np.where(seen == 65535, 0, seen)
+    window = map_window(dem.shape, seen, places)
+    step = max(1, -(-max(window.rows, window.cols) // MAP_CELLS))
+    for col_px, row_px, row in places:
+        at = (col_px - window.col) / step, (row_px - window.row) / step
+        trusted = row["heading"] if row["status"] == "accepted" else None
+        observers.append(MapObserver(*at, trusted, row["hfov"], Path(row["photo"]).stem))
+    frame = dem.frame(*dem.position_of(window.col + window.cols / 2, window.row + window.rows / 2), 1000.0)
+    rows, cols = slice(window.row, window.row + window.rows), slice(window.col, window.col + window.cols)
+    data = MapData(
+        dem.read(window)[::step, ::step],
+        tuple(side * step for side in frame.cell_size_m),
+        frame.convergence_deg,
+        seen[rows, cols][::step, ::step],
+        tuple(observers),
+    )
+    target.write_bytes(encode_png(map_image(data, 1400)))
+
+
+def map_window(shape, seen, places):
+    """Rectangle of cells that holds cameras and ground in view, with a margin."""
+    import numpy as np
+    from skyline_viewshed.core.terrain import Window
+
+    rows, cols = (list(index) for index in np.nonzero(seen))
+    rows += [row for _, row, _ in places]
+    cols += [col for col, _, _ in places]
+    if not rows:
+        return Window(0, 0, *shape)
+    margin = 0.08 * max(max(rows) - min(rows), max(cols) - min(cols)) + 5
+    top, left = int(min(rows) - margin), int(min(cols) - margin)
+    size = int(max(rows) + margin) - top, int(max(cols) + margin) - left
+    return Window(top, left, *size).clipped(shape)
+
+
+def table(results, photos):
+    """Print found headings, beside the true ones where they are known."""
+    truth_path = photos.parent / "truth.csv"
+    truth = {}
+    if truth_path.exists():
+        with open(truth_path, newline="", encoding="utf-8") as file:
+            truth = {Path(row["photo"]).name: row for row in csv.DictReader(file)}
+    print(f"\n{'photo':24} {'status':10} {'true':>7} {'found':>7} {'error':>6}  90 % interval")
+    for name, row in sorted(oriented_points(results["points"]).items()):
+        true = truth.get(name, {}).get("heading_deg")
+        found = row["heading"]
+        error = "" if not true or found is None else f"{(found - float(true) + 180) % 360 - 180:+.2f}"
+        interval = "" if row["heading_lo"] is None else f"{row['heading_lo']:.1f} to {row['heading_hi']:.1f}"
+        true, found = f"{float(true):.2f}" if true else "", "" if found is None else f"{found:.2f}"
+        print(f"{name:24} {row['status']:10} {true:>7} {found:>7} {error:>6}  {interval}")
+
+
+if __name__ == "__main__":
+    main()
