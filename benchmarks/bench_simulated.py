@@ -21,7 +21,6 @@ from pathlib import Path
 
 import numpy as np
 from skyline_viewshed.core.angles import difference
-from skyline_viewshed.core.batch import PhotoRequest, orient_request
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from simulated_cases import LEVELS, dem_of, dem_paths, draw_case, take, truth_row  # noqa: E402
@@ -78,6 +77,9 @@ def _map(work, tasks, jobs):
 
 def measure(task):
     """Take, write, read, orient one photograph; give its row."""
+    # Not above: --dump serves those who rework the stages and must run while these do not.
+    from skyline_viewshed.core.batch import PhotoRequest, orient_request
+
     seed, index, level, paths, long_side = task
     case = draw_case(seed, index, level, paths, long_side)
     with tempfile.TemporaryDirectory() as folder:

@@ -108,13 +108,14 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     path = paths[int(generator.random() * len(paths))]
     dem = dem_of(path)
     cell_m = dem.frame(*map(float, dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)), 2_000.0).cell_m
-    strength = 0.0 if level == "perfect" else float(np.exp(np.log(0.3) + np.log(4.0) * generator.random()))
+    strength = 0.0 if level == "perfect" else float(np.exp(np.log(0.25) + np.log(3.2) * generator.random()))
     factor = 1 if level == "perfect" else (4 if cell_m > 50 else 2)
     detail_seed = int(generator.integers(2**31))
+    terrain = terrain_of(path, factor, detail_seed, strength)
     camera, f35 = _draw_camera(generator, level, long_side_px)
     roll_sigma = 1.2 if level == "clean" else 2.8
     options = ViewpointOptions(roll_sigma_deg=roll_sigma, largest_roll_deg=3.0 if level == "clean" else 8.0)
-    observer, pose = find_view(dem, camera, generator, dem.position_of, options)
+    observer, pose = find_view(dem, camera, generator, dem.position_of, options, terrain)
     scene_seed = int(generator.integers(2**31))
     scene = clean_scene(scene_seed) if level != "full" else hard_scene(scene_seed)
     if level == "clean":

@@ -16,7 +16,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import breadth_first_order, minimum_spanning_tree
 
 from .progress import SILENT, Progress, checkpoint
-from .render_noise import noise_tile
+from .render_noise import fractal_field, noise_tile
 from .terrain import ArrayTerrain
 
 
@@ -120,17 +120,8 @@ PATTERN_CELLS = 512
 @lru_cache(maxsize=4)
 def _rough_pattern(seed, fine_per_coarse):
     """Periodic roughness on the fine grid: crests are sharp and gullies blunt, since noise is folded at its zeros."""
-    index = np.arange(PATTERN_CELLS)
-    total = np.zeros((PATTERN_CELLS, PATTERN_CELLS), np.float32)
-    for part, (wave_coarse_cells, gain) in enumerate(((3.0, 0.65), (0.8, 0.3), (0.25, 0.12))):
-        # The strongest waves of a tile are about 8 of its cells long; whole turns keep the pattern periodic.
-        turns = max(round(PATTERN_CELLS / 256 * 8 / (fine_per_coarse * wave_coarse_cells)), 1)
-        to_tile = turns * 256 / PATTERN_CELLS
-        if to_tile > 16:  # finer than the grid itself can show
-            continue
-        noise = noise_tile(seed + part, 1.2).sample(index[None, :] * to_tile, index[:, None] * to_tile, to_tile)[..., 0]
-        total += gain * (0.7 - np.abs(noise) + 0.35 * noise)
-    return total
+    noise = fractal_field(seed, 1.7, PATTERN_CELLS, 4.0 * fine_per_coarse)
+    return 0.8 * (0.8 - np.abs(noise)) + 0.55 * noise
 
 
 def _carve(generator, whole_m, options, progress):

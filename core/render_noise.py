@@ -68,9 +68,42 @@ class NoiseTile:
         return top * (1 - fy) + low * fy
 
 
-@lru_cache(maxsize=32)
-def noise_tile(seed, slope=1.0, cells=TILE_CELLS):
+@lru_cache(maxsize=12)
+def noise_tile(seed, slope=1.0, longest_cells=np.inf):
     """Make a tile whose amplitude falls as 1 / frequency ** `slope` (0 white, 1 rough, 2 smooth).
+
+    Waves longer than `longest_cells` are left out: a tile that is repeated many times in a picture must not have
+    features of its own period.
+    """
+    cells = TILE_CELLS
+    spectrum, frequency = _spectrum(seed, slope, cells)
+    spectrum = spectrum * _without_long_waves(frequency / cells, longest_cells)
+    levels, scale = [], 1.0
+    for level in range(MIP_LEVELS):
+        width = 0.0 if level == 0 else 2.0**level / 2.5
+        blur = np.exp(-2 * (np.pi * width * frequency / cells) ** 2)
+        value = np.fft.irfft2(spectrum * blur, s=(cells, cells))
+        scale = value.std() if level == 0 else scale
+        value = value / scale
+        gx = (np.roll(value, -1, 1) - np.roll(value, 1, 1)) / 2
+        gy = (np.roll(value, -1, 0) - np.roll(value, 1, 0)) / 2
+        levels.append(np.stack([value, gx, gy], axis=-1).reshape(-1, 3))
+    return NoiseTile(np.array(levels, np.float32), cells)
+
+
+def fractal_field(seed, slope, cells, longest_cells):
+    """Make one periodic (cells, cells) random field of unit deviation without waves longer than `longest_cells`."""
+    spectrum, frequency = _spectrum(seed, slope, cells)
+    value = np.fft.irfft2(spectrum * _without_long_waves(frequency / cells, longest_cells), s=(cells, cells))
+    return (value / value.std()).astype(np.float32)
+
+
+def _without_long_waves(waves_per_cell, longest_cells):
+    return 1 - np.exp(-(np.minimum(waves_per_cell * min(longest_cells, 1e6), 10.0) ** 2))
+
+
+def _spectrum(seed, slope, cells):
+    """Random half spectrum under a power law, and its frequencies [waves per period].
 
     References
     ----------
@@ -78,26 +111,12 @@ def noise_tile(seed, slope=1.0, cells=TILE_CELLS):
        doi:10.1007/978-3-642-84574-1_34 (spectral synthesis).
     """
     generator = np.random.Generator(np.random.PCG64(seed))
-    fx, fy = np.fft.rfftfreq(cells) * cells, np.fft.fftfreq(cells) * cells
-    frequency = np.hypot(fx[None, :], fy[:, None])
-    frequency[0, 0] = np.inf
+    frequency = np.hypot(np.fft.rfftfreq(cells)[None, :], np.fft.fftfreq(cells)[:, None]) * cells
     phase = generator.random(frequency.shape) * 2 * np.pi
     # Random phases alone give equal amplitudes; a random amplitude too avoids visible regularity in small tiles.
-    amplitude = np.sqrt(-np.log(1 - generator.random(frequency.shape))) / frequency**slope
-    amplitude[frequency > cells / 2] = 0
-    spectrum = amplitude * np.exp(1j * phase)
-    scale = np.fft.irfft2(spectrum, s=(cells, cells)).std()
-    levels = []
-    for level in range(MIP_LEVELS):
-        width = 0.0 if level == 0 else 2.0**level / 2.5
-        with np.errstate(invalid="ignore", over="ignore"):
-            blur = np.exp(-2 * (np.pi * width * frequency / cells) ** 2)
-        blur[0, 0] = 0
-        value = np.fft.irfft2(spectrum * blur, s=(cells, cells)) / scale
-        gx = (np.roll(value, -1, 1) - np.roll(value, 1, 1)) / 2
-        gy = (np.roll(value, -1, 0) - np.roll(value, 1, 0)) / 2
-        levels.append(np.stack([value, gx, gy], axis=-1).reshape(-1, 3))
-    return NoiseTile(np.array(levels, np.float32), cells)
+    amplitude = np.sqrt(-np.log(1 - generator.random(frequency.shape))) / np.maximum(frequency, 1.0) ** slope
+    amplitude[(frequency > cells / 2) | (frequency == 0)] = 0
+    return amplitude * np.exp(1j * phase), frequency
 
 
 def smoothstep(low, high, x):

@@ -118,11 +118,11 @@ def _texture(ground, footprint_m, scene):
     bump = np.zeros((ground.east_m.size, 2), np.float32)
     for index, period in enumerate(TEXTURE_PERIODS_M):
         cell = period / 256
-        tile = noise_tile(9100 + 13 * scene.seed + index, 1.25)
+        tile = noise_tile(9100 + 13 * scene.seed + index, 1.25, np.inf if index == 0 else 40.0)
         found = tile.sample(x / cell, y / cell, footprint_m / cell)
         value[:, index] = found[:, 0]
-        # A slope per metre: relief of this scale is about 1 % of the period high.
-        bump += found[:, 1:] * np.float32(period * 0.006 / cell)
+        # A slope per metre: relief of this scale is about 0.4 % of the period high.
+        bump += found[:, 1:] * np.float32(period * 0.004 / cell)
     return value * scene.texture, bump[:, 0] * scene.texture, bump[:, 1] * scene.texture
 
 
@@ -148,7 +148,7 @@ def _cover(ground, steep, slope_north, value, scene, levels):
     wooded = wooded * smoothstep(44, 36, angle) * smoothstep(-1.6, -0.6, middle + 0.6 * fine)
     colour = _mix(colour, forest, wooded)
     snowy = smoothstep(-90, 110, height - snow_line + 1.3 * patchy - sunny)
-    held = smoothstep(56, 44, angle + 5 * fine + 3 * near - 6 * smoothstep(0, 1200, height - snow_line))
+    held = smoothstep(68, 52, angle + 6 * fine + 3 * near - 9 * smoothstep(0, 1500, height - snow_line))
     snowy = snowy * held
     colour = _mix(colour, SNOW * (1 + 0.03 * middle + 0.03 * fine)[:, None], snowy)
     rough = 1.0 + 0.5 * wooded - 0.55 * snowy - 0.4 * grassy
@@ -201,17 +201,20 @@ def _sunlit(ground, patch, frame, scene):
     # One step of about one thinned cell towards the sun, in rows and columns of the thinned grid.
     step_m = frame.cell_m * thin
     step = frame.jacobian_px_per_m @ np.array([np.sin(azimuth), np.cos(azimuth)]) * step_m / thin
-    shadow = np.full_like(elevation, -1e5)
-    reach, highest = 1, elevation
-    span = float(elevation.max() - elevation.min())
-    while reach <= max(elevation.shape) and (reach == 1 or reach * step_m * rise_per_m / 2 < span):
-        offset = (-step[1] * reach, -step[0] * reach)
-        moved = ndimage.shift(highest, offset, order=1, mode="constant", cval=-1e5)
-        shadow = np.maximum(shadow, moved - reach * step_m * rise_per_m)
-        highest = np.maximum(elevation, shadow)
+    drop_m, span = step_m * rise_per_m, float(elevation.max() - elevation.min())
+    highest, reach = elevation, 1
+    while reach <= max(elevation.shape) and reach * drop_m < 2 * span:
+        highest = np.maximum(highest, _towards(highest, step * reach) - reach * drop_m)
         reach *= 2
-    clear = np.clip((elevation - shadow) / (0.5 * step_m * rise_per_m + 8.0) + 0.5, 0, 1)
-    return _look_up(clear.astype(np.float32), thin, patch, frame, ground)
+    # The nearest cells only tell that a slope turns away from the sun, which its normal says without blots.
+    shadow = _look_up(_towards(highest, step * 2) - 2 * drop_m, thin, patch, frame, ground)
+    own = _look_up(elevation, thin, patch, frame, ground)
+    return np.clip((own - shadow) / (drop_m + 15.0) + 1, 0, 1)
+
+
+def _towards(field, step):
+    """Bring to every cell what lies (cols, rows) `step` away from it."""
+    return ndimage.shift(field, (-step[1], -step[0]), order=1, mode="constant", cval=-1e5)
 
 
 def _openness(ground, patch, frame):

@@ -43,10 +43,10 @@ def sky_radiance(turn_deg, tangent, scene, heading_deg):
     """
     elevation = np.arctan(tangent)
     low = np.clip(np.exp(-np.maximum(np.degrees(elevation), -2.0) / 11.0), 0, 1.2)[..., None]
-    haze = np.clip(40_000.0 / scene.visibility_m, 0.1, 1.0)
+    haze = np.clip(35_000.0 / scene.visibility_m, 0.1, 1.0)
     strength = 0.35 + 0.65 * smoothstep(-4.0, 25.0, scene.sun_elevation_deg)
-    zenith = np.array([0.10, 0.21, 0.50]) * (1 - 0.45 * haze) + np.array([0.32, 0.36, 0.42]) * 0.45 * haze
-    horizon = np.array([0.48, 0.60, 0.78]) * (1 - 0.5 * haze) + np.array([0.68, 0.70, 0.73]) * 0.5 * haze
+    zenith = np.array([0.035, 0.150, 0.52]) * (1 - 0.45 * haze) + np.array([0.32, 0.36, 0.42]) * 0.45 * haze
+    horizon = np.array([0.30, 0.53, 0.88]) * (1 - 0.5 * haze) + np.array([0.68, 0.70, 0.73]) * 0.5 * haze
     colour = zenith + (horizon - zenith) * low
     to_sun = _cosine_to_sun(turn_deg, elevation, scene, heading_deg)[..., None]
     glow = 0.30 * np.exp((to_sun - 1) * 12) + 0.9 * np.exp((to_sun - 1) * 250)
@@ -162,10 +162,10 @@ def clouds_before(turn_deg, tangent, ridge_tangent, distance_m, elevation_m, sce
         return (0.96 * far * smoothstep(top + 80, top - 40, level)).astype(np.float32), 0.6 + 0.25 * rough
     if scene.clouds != "lid":
         return np.zeros(turn_deg.shape, np.float32), np.zeros(turn_deg.shape, np.float32)
-    # The lid covers a random part of the width; its lower edge hangs below the ridge there.
-    course = tile.sample(turn_deg / span * 150 + 11, np.full_like(turn_deg, 9.0), 6.0)[..., 0]
+    # A cap hangs about the ridge over a random part of the width, ragged on all sides.
+    course = tile.sample(turn_deg / span * 40 + 0.9 * above / scale + 11, np.full_like(turn_deg, 9.0), 4.0)[..., 0]
     cut = np.quantile(course, 1 - scene.cloud_share)
-    inside = (course - cut) * 2.2 * scale
-    depth = above + inside + 0.35 * scale * rough + 0.25 * scale * wide
-    opacity = smoothstep(-0.25 * scale, 0.45 * scale, depth) * smoothstep(-0.1 * scale, 0.3 * scale, inside)
-    return np.clip(opacity * 1.05, 0, 0.99).astype(np.float32), np.clip(0.55 + 0.3 * rough, 0, 1).astype(np.float32)
+    body = 1.1 - ((above - 0.9 * scale) / (1.5 * scale)) ** 2
+    density = np.minimum(body, 2.2 * (course - cut) + 0.25) + 0.40 * rough + 0.25 * wide
+    opacity = smoothstep(-0.10, 0.55, density)
+    return np.clip(opacity * 1.05, 0, 0.99).astype(np.float32), np.clip(0.5 + 0.3 * rough, 0, 1).astype(np.float32)

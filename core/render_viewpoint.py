@@ -45,7 +45,14 @@ class ViewpointOptions:
     tries: int = 200
 
 
-def find_view(terrain: Terrain, camera: Camera, generator, position_of, options: ViewpointOptions | None = None):
+def find_view(
+    terrain: Terrain,
+    camera: Camera,
+    generator,
+    position_of,
+    options: ViewpointOptions | None = None,
+    finer: Terrain | None = None,
+):
     """Draw a random place and direction from which the camera sees a ridge.
 
     Parameters
@@ -56,6 +63,8 @@ def find_view(terrain: Terrain, camera: Camera, generator, position_of, options:
     position_of : callable
         (col, row) -> (longitude_deg, latitude_deg) of the terrain's raster.
     options : ViewpointOptions or None
+    finer : Terrain or None
+        What the camera will really see; its humps close by must not hide the view that `terrain` promises.
 
     Returns
     -------
@@ -77,7 +86,7 @@ def find_view(terrain: Terrain, camera: Camera, generator, position_of, options:
         except ObserverError:
             continue
         pose = _look(terrain, frame, eye_m, camera, generator, options)
-        if pose is not None:
+        if pose is not None and (finer is None or _clear(terrain, finer, observer, camera, pose, options)):
             return observer, pose
     raise TerrainError(f"No view of a ridge was found in {options.tries} places. Use a DEM with more relief.")
 
@@ -108,6 +117,19 @@ def _look(terrain, frame, eye_m, camera, generator, options):
         roll = np.clip(options.roll_sigma_deg * _normal(generator), -options.largest_roll_deg, options.largest_roll_deg)
         return Pose(float(heading), float(pitch), float(roll))
     return None
+
+
+def _clear(terrain, finer, observer, camera, pose, options):
+    """Tell whether the finer terrain close by leaves most of the coarse one's horizon in sight."""
+    horizons = []
+    for model, range_m in ((terrain, options.range_m), (finer, 2_500.0)):
+        frame = model.frame(observer.longitude_deg, observer.latitude_deg, range_m * 1.01)
+        eye_m = ground_elevation_m(model, frame) + options.eye_height_m
+        turns = -camera.hfov_deg / 2 - 1, camera.hfov_deg / 2 + 1
+        patch = read_patch(model, frame, turns, pose.heading_deg, range_m)
+        fan = cast_fan(patch, frame, Camera(2, 2, 4 * SCOUT_FOCAL_PX), pose, turns, eye_m, range_m, SILENT)
+        horizons.append(np.degrees(np.arctan(fan.highest[:, -1])))
+    return bool(np.mean(horizons[1] > horizons[0] + 0.5) < 0.15)
 
 
 def _normal(generator):
