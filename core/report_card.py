@@ -85,7 +85,7 @@ def _answer(photo):
     orientation, best = photo.orientation, photo.orientation.best
     heading = best.pose.heading_deg % 360
     interval = interval_words(orientation)
-    doubt = " doubtful" if status_of(photo) == "rejected" else ""
+    doubt = {"rejected": " doubtful", "ambiguous": " likeliest"}.get(status_of(photo), "")
     parts = [
         f'<div class="heading{doubt}">{azimuth(heading)} <small>{compass_point(heading)}</small></div>',
         f'<div class="interval-line">90 %: {escape(interval)}</div>' if interval else "",
