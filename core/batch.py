@@ -19,8 +19,9 @@ from .errors import MissingMetadataError, MissingPackageError, PhotoError
 from .horizon import horizon_profile
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
-from .model import HeadingPrior, Landmark, Orientation, OrientedPhoto
+from .model import Orientation, OrientedPhoto
 from .pipeline import Hints, OrientOptions, camera_prior, orient_photo
+from .prior import HeadingPrior, Landmark
 from .progress import SILENT, subtask
 from .skyline_given import evidence_from_line, evidence_from_mask
 from .terrain import Observer, eye_elevation_m, ground_elevation_m

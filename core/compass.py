@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .angles import wrap_360
-from .model import HeadingPrior
+from .prior import HeadingPrior
 
 
 @dataclass(frozen=True)

@@ -70,7 +70,7 @@ class Objective:
     focal_sigma : float
         Relative spread of the prior on the focal length.
     options : RefineOptions
-    landmarks : sequence of model.Landmark, optional
+    landmarks : sequence of prior.Landmark, optional
         In pixels of the reduced picture.
     """
 

@@ -62,12 +62,12 @@ def match_robust(
     Parameters
     ----------
     evidence : model.SkylineEvidence
-    camera_prior : model.CameraPrior
+    camera_prior : prior.CameraPrior
         Lens of the full upright picture.
     horizon : model.HorizonProfile
     options : RobustOptions
-    heading_prior : model.HeadingPrior or None
-    landmarks : sequence of model.Landmark
+    heading_prior : prior.HeadingPrior or None
+    landmarks : sequence of prior.Landmark
     position_error_m : float or None
         Standard deviation of the observer's position [m]; None takes 8 m.
     progress : Progress

@@ -9,7 +9,8 @@ from .errors import MissingMetadataError, ObserverError, SkylineNotFoundError
 from .horizon import HorizonOptions, horizon_profile
 from .match_paper import PaperMatchOptions, match_paper
 from .match_robust import RobustOptions, match_robust
-from .model import CameraPrior, HeadingPrior, Orientation, OrientedPhoto, SkylineEvidence
+from .model import Orientation, OrientedPhoto, SkylineEvidence
+from .prior import CameraPrior, HeadingPrior
 from .progress import SILENT, subtask
 from .skyline_evidence import EvidenceOptions as SkylineOptions
 from .skyline_evidence import skyline_evidence

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.camera import Camera, Pose, project
 from skyline_viewshed.core.model import (
-    CameraPrior,
     Candidate,
     HorizonProfile,
     Orientation,
@@ -21,6 +20,7 @@ from skyline_viewshed.core.model import (
     Skyline,
     SkylineEvidence,
 )
+from skyline_viewshed.core.prior import CameraPrior
 
 
 @dataclass(frozen=True)

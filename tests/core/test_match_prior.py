@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 from skyline_viewshed.core.match_prior import log_ratio
-from skyline_viewshed.core.model import HeadingPrior
+from skyline_viewshed.core.prior import HeadingPrior
 
 
 def test_the_density_integrates_to_one_over_the_circle():
