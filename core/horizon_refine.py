@@ -103,7 +103,8 @@ def _by_tile(terrain, sight, ray, interval, margin_px, whole):
 
 
 def _sample(cells, window, sight, ray, interval):
-    start, end = sight.edge_m[interval], sight.edge_m[interval + 1]
+    start = sight.edge_m[interval]
+    end = np.minimum(sight.edge_m[interval + 1], sight.rays.reach_m[ray])
     share = _shares(sight, ray, start, end)
     tangent, void = _tangents(cells, window, sight, ray, start, end, share)
     pick = np.arange(len(ray))
@@ -126,7 +127,7 @@ def _shares(sight, ray, start, end):
     Between two crossings the interpolated surface has no kink, so the highest tangent seldom lies elsewhere.
     """
     ends = zip(sight.rays.at_pairs(ray, start), sight.rays.at_pairs(ray, end))
-    shares = [np.zeros((len(ray), 1))]
+    shares = [np.zeros((len(ray), 1)), np.ones((len(ray), 1))]
     for first, last in ends:
         first, last = first * sight.lines_per_cell, last * sight.lines_per_cell
         lowest = np.ceil(np.minimum(first, last))
@@ -145,10 +146,9 @@ def _tangents(cells, window, sight, ray, start, end, share):
     col = col0[:, None] + (col1 - col0)[:, None] * share
     row = row0[:, None] + (row1 - row0)[:, None] * share
     tangent = sight.tangent(_interpolate(cells, window, row, col), distance)
-    beyond = distance > sight.rays.reach_m[ray][:, None]
     unknown = np.isnan(tangent)
-    tangent[unknown | beyond] = -np.inf
-    return tangent, (unknown & ~beyond).any(axis=1)
+    tangent[unknown] = -np.inf
+    return tangent, unknown.any(axis=1)
 
 
 def _interpolate(cells, window, row, col):
