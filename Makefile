@@ -88,6 +88,22 @@ zip: ## Make build/skyline_viewshed.zip, ready for the plugin site
 	@mkdir -p build && rm -f build/skyline_viewshed.zip
 	@git archive --format=zip --prefix=skyline_viewshed/ -o build/skyline_viewshed.zip HEAD && echo build/skyline_viewshed.zip
 
+.PHONY: check-package
+check-package: setup zip ## Hold the zip to the plugin site's rules and run it from an empty profile
+	@$(PYTHON) tools/check_package.py build/skyline_viewshed.zip
+
+.PHONY: test-matrix
+test-matrix: ## Run all tests on QGIS 3.22, 3.40 and 3.44, each in a Debian tree of its own (as root)
+	@tools/test_matrix.sh $(SUITES)
+
+.PHONY: fresh-machine
+fresh-machine: ## Prove make demo and make test on a new minimal Debian (as root)
+	@tools/fresh_machine.sh
+
+.PHONY: translations
+translations: setup ## Renew i18n/*.ts from the source and compile them to *.qm
+	@$(PYTHON) tools/make_translations.py
+
 .PHONY: install
 install: zip ## Install into the QGIS profile of this user
 	@tools/install.sh
