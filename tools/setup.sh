@@ -6,8 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-PACKAGES="qgis python3-qgis python3-gdal gdal-bin python3-numpy python3-scipy python3-pil python3-venv python3-pip git make"
-PIP="opencv-python-headless pillow-heif exifread Pillow pytest pytest-qgis hypothesis ruff flake8 flake8-qgis"
+PACKAGES="qgis python3-qgis python3-gdal gdal-bin python3-numpy python3-scipy python3-pil python3-venv python3-pip qttools5-dev-tools git make"
+PIP="opencv-python-headless pillow-heif exifread Pillow pytest pytest-qgis hypothesis ruff flake8 flake8-qgis bandit detect-secrets"
 SYSTEM_PYTHON=/usr/bin/python3
 STAMP=.venv/.skyline-setup
 
