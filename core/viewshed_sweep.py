@@ -143,6 +143,11 @@ class QuarterSweep:
         else:
             for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
                 place[:, row : row + 512] = values[row : row + 512].T
+        # The outer half cells belong to the raster, and a cell on its edge is judged by a ray beside the edge too.
+        if inner > start:
+            cells[:, max(inner - start - 2, 0) : inner - start] = cells[:, inner - start, None]
+        if end < stop:
+            cells[:, end - start : end - start + 2] = cells[:, end - start - 1, None]
         return cells, start
 
     def _along_range(self, k):

@@ -19,7 +19,7 @@ def bilinear_at(z, row, col):
     rows, cols = z.shape
     r = min(max(int(math.floor(row)), 0), max(rows - 2, 0))
     c = min(max(int(math.floor(col)), 0), max(cols - 2, 0))
-    fr, fc = row - r, col - c
+    fr, fc = min(max(row - r, 0.0), 1.0), min(max(col - c, 0.0), 1.0)
     r2, c2 = min(r + 1, rows - 1), min(c + 1, cols - 1)
     return float(
         z[r, c] * (1 - fr) * (1 - fc) + z[r, c2] * (1 - fr) * fc + z[r2, c] * fr * (1 - fc) + z[r2, c2] * fr * fc
