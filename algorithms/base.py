@@ -49,6 +49,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
             "photographs": tr("Photographs"),
             "terrain": tr("Terrain and visibility"),
             "all": tr("All in one"),
+            "maps": tr("From the photo to the map"),
             "checks": tr("Checks and simulation"),
         }[self.GROUP_ID]
 

@@ -19,6 +19,7 @@ VISIBLE_COLOUR = (255, 154, 31)
 HIDDEN_COLOUR = (255, 255, 255)
 LABEL_COLOUR = (255, 255, 255)
 CASING_COLOUR = "#10151c"
+WIDEST_PX = 1600
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ class Annotation:
     strokes: tuple
 
 
-def annotate(pixels, full_width_px, points=(), strokes=(), width_px=1600):
+def annotate(pixels, full_width_px, points=(), strokes=(), width_px=None):
     """Scale marks to a drawing and lay out the names.
 
     Parameters
@@ -72,13 +73,14 @@ def annotate(pixels, full_width_px, points=(), strokes=(), width_px=1600):
     points : sequence of NamedPoint
         Most important first.
     strokes : sequence of Stroke
-    width_px : int
-        Of the drawing [pixels].
+    width_px : int or None
+        Of the drawing [pixels]; None keeps the picture's, up to `WIDEST_PX`.
 
     Returns
     -------
     Annotation
     """
+    width_px = width_px or min(pixels.shape[1], WIDEST_PX)
     height_px = max(round(pixels.shape[0] * width_px / pixels.shape[1]), 1)
     picture = resized(np.asarray(pixels)[..., :3], width_px, height_px).copy()
     scale, unit = width_px / full_width_px, max(width_px, height_px) / 1280

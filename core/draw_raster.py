@@ -22,9 +22,12 @@ _FONTS = {
 }
 
 
-def encode_png(pixels):
-    """PNG bytes of a uint8 array: (H, W) grey, (H, W, 3) RGB or (H, W, 4) RGBA."""
-    return _encoded(pixels, "PNG", optimize=True)
+def encode_png(pixels, quickly=False):
+    """PNG bytes of a uint8 array: (H, W) grey, (H, W, 3) RGB or (H, W, 4) RGBA.
+
+    `quickly` suits whole photographs, which the strongest compression makes a tenth smaller in ten times the time.
+    """
+    return _encoded(pixels, "PNG", compress_level=3) if quickly else _encoded(pixels, "PNG", optimize=True)
 
 
 def encode_jpeg(pixels, quality=82):

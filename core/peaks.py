@@ -201,3 +201,63 @@ def _cells_around(terrain, frame, east_m, north_m, reach_m):
     rows, cols = np.mgrid[window.row : window.row + window.rows, window.col : window.col + window.cols]
     filled = np.where(np.isfinite(z), z, -np.inf)
     return (*frame.to_local(cols, rows), z, filled >= ndimage.maximum_filter(filled, size=3, mode="nearest"))
+
+
+def summits_around(terrain, frame, max_distance_m, min_prominence_m, most_cells=4_000_000):
+    """Find the summits around an eye.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+    max_distance_m : float
+        [m].
+    min_prominence_m : float
+        [m].
+    most_cells : int
+        A larger window is searched in block maxima and its summits are then placed within their blocks.
+
+    Returns
+    -------
+    list of (east_m, north_m, elevation_m, prominence_m)
+        Highest prominence first; local metres.
+    """
+    window = _window_around(terrain, frame, max_distance_m)
+    if window.rows < 1 or window.cols < 1:
+        return []
+    block = int(np.ceil(np.sqrt(window.rows * window.cols / most_cells)))
+    summits = find_summits(_block_maxima(terrain, window, block), min_prominence_m)
+    found = []
+    for row, col, top, prominence in zip(summits.row, summits.col, summits.elevation_m, summits.prominence_m):
+        r, c = window.row + row * block, window.col + col * block
+        if block > 1:
+            cells = terrain.read(Window(int(r), int(c), block, block).clipped(terrain.shape))
+            inner = np.unravel_index(np.nanargmax(cells), cells.shape)
+            r, c = r + inner[0], c + inner[1]
+        east, north = (float(v) for v in frame.to_local(c, r))
+        if np.hypot(east, north) <= max_distance_m:
+            found.append((east, north, float(top), float(prominence)))
+    return found
+
+
+def _window_around(terrain, frame, max_distance_m):
+    turn = np.radians(np.arange(0, 360, 2))
+    col, row = frame.to_pixel(max_distance_m * np.sin(turn), max_distance_m * np.cos(turn))
+    top, left = int(np.floor(row.min())), int(np.floor(col.min()))
+    return Window(top, left, int(np.ceil(row.max())) + 1 - top, int(np.ceil(col.max())) + 1 - left).clipped(
+        terrain.shape
+    )
+
+
+def _block_maxima(terrain, window, block):
+    """Highest known cell of each block, NaN where none is; read in strips."""
+    if block == 1:
+        return terrain.read(window)
+    out = np.full((-(-window.rows // block), -(-window.cols // block)), np.nan, np.float32)
+    columns = np.arange(0, window.cols, block)
+    for k in range(out.shape[0]):
+        rows = min(block, window.rows - k * block)
+        strip = terrain.read(Window(window.row + k * block, window.col, rows, window.cols))
+        highest = np.fmax.reduce(strip, axis=0)
+        out[k] = np.fmax.reduceat(highest, columns)
+    return out

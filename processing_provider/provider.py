@@ -23,6 +23,13 @@ ALGORITHMS = (
     ("directed_viewshed", "DirectedViewshed"),
     ("measure_offsets", "MeasureOffsets"),
     ("simulate_photos", "SimulatePhotos"),
+    ("pixel_to_map", "PixelToMap"),
+    ("map_to_pixel", "MapToPixel"),
+    ("drape_photo", "DrapePhoto"),
+    ("label_peaks", "LabelPeaks"),
+    ("which_photos", "WhichPhotos"),
+    ("panorama", "Panorama"),
+    ("photo_coverage", "PhotoCoverage"),
 )
 """(module under `algorithms`, class), in the order of the work."""
 

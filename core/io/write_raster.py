@@ -26,7 +26,9 @@ DEM_NODATA = -9999.0
 
 
 @contextmanager
-def new_raster(path, grid, window=None, *, dtype="float32", bands=1, nodata=None, descriptions=(), metadata=None):
+def new_raster(
+    path, grid, window=None, *, dtype="float32", bands=1, nodata=None, descriptions=(), metadata=None, alpha=False
+):
     """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
 
     Parameters
@@ -44,6 +46,8 @@ def new_raster(path, grid, window=None, *, dtype="float32", bands=1, nodata=None
         One per band.
     metadata : dict or None
         Names and texts for the file's header.
+    alpha : bool
+        The four bands are red, green, blue and opacity.
 
     Yields
     ------
@@ -61,7 +65,7 @@ def new_raster(path, grid, window=None, *, dtype="float32", bands=1, nodata=None
         with quiet_gdal() as messages, small_cache():
             file = None
             try:
-                file = RasterFile(path, _create(part, window, dtype, bands), messages)
+                file = RasterFile(path, _create(part, window, dtype, bands, alpha), messages)
                 file._describe(grid, window, nodata, descriptions, metadata or {})
                 yield file
                 file._close()
@@ -77,10 +81,11 @@ def new_raster(path, grid, window=None, *, dtype="float32", bands=1, nodata=None
                 os.remove(leftover)
 
 
-def _create(part, window, dtype, bands):
+def _create(part, window, dtype, bands, alpha=False):
     predictor = 3 if dtype == "float32" else 2
     options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "COMPRESS=DEFLATE"]
     options += [f"PREDICTOR={predictor}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
+    options += ["PHOTOMETRIC=RGB", "ALPHA=YES"] if alpha else []
     dataset = gdal.GetDriverByName("GTiff").Create(part, window.cols, window.rows, bands, GDAL_TYPES[dtype], options)
     if dataset is None:
         raise OSError("cannot be created")

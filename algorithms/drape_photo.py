@@ -1,0 +1,127 @@
+"""Oriented photographs -> a georeferenced colour raster: the picture laid over the terrain."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessingOutputNumber
+
+from ..core.errors import PhotoError
+from ..core.progress import subtask
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .draped_raster import write_draped
+from .elevation import dem_fault, dem_source
+from .feedback import warn
+from .i18n import tr
+from .styling import style_on_completion
+from .views import add_view_parameters, open_views
+
+
+class DrapePhoto(SkylineAlgorithm):
+    """Drape photographs over the elevation model."""
+
+    ID = "drapephoto"
+    GROUP_ID = "maps"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Drape photos over the terrain")
+
+    def tags(self):
+        """Search words."""
+        return tr("orthophoto,drape,rectify,texture,mosaic,photo,rgba,ground sampling distance").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Colour raster on the DEM's grid: each cell as the photo shows it, transparent where hidden")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Every cell that a photograph sees takes the colour of the pixels that show it; the rest is "
+                "transparent. Several photographs are blended: the one with the finer view of a cell prevails, and "
+                "each fades out towards its edges."
+            ),
+            tr(
+                "The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 "
+                "across the line of sight, band 2 along it on the slope, which is long where the view grazes. "
+                "Trees and people in the picture are draped too: the DEM does not know them."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        add_view_parameters(self)
+        refine = shared.number(
+            "REFINE",
+            tr("Cells per side of a DEM cell"),
+            1,
+            tr("1: the DEM's own grid. 4: sixteen times as many cells, for a photo finer than the DEM."),
+            1,
+            32,
+            integer=True,
+        )
+        self.addParameter(refine)
+        nearest = shared.distance(
+            "MIN_DISTANCE", tr("Minimum distance (m)"), 0.0, tr("Ground nearer than this is left out.")
+        )
+        self.addParameter(shared.advanced(nearest))
+        self.addParameter(shared.raster_out("OUTPUT", tr("Draped photos")))
+        self.addParameter(shared.raster_out("GSD", tr("Ground sampling distance"), optional=True, create=False))
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos draped")))
+        self.addOutput(QgsProcessingOutputNumber("CELLS", tr("Number of cells with colour")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def compute(self, parameters, context, feedback):
+        """Drape photo by photo, then write."""
+        from ..core.drape import Mosaic
+        from ..core.terrain import Window
+        from ..core.viewshed import ViewshedOptions
+
+        terrain = self.dem.open()
+        options = ViewshedOptions(
+            min_distance_m=self.parameterAsDouble(parameters, "MIN_DISTANCE", context),
+            max_distance_m=self.parameterAsDouble(parameters, "MAX_DISTANCE", context),
+            refraction_coefficient=self.parameterAsDouble(parameters, "REFRACTION", context),
+        )
+        mosaic = Mosaic(Window(0, 0, *terrain.shape), self.parameterAsInt(parameters, "REFINE", context))
+        count, reach = 0, options.max_distance_m
+        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.85)):
+            try:
+                count += drape(mosaic, photo, options) > 0
+            except PhotoError as error:
+                warn(feedback, photo.name, str(error))
+        results = {"COUNT": count}
+        path = self.parameterAsOutputLayer(parameters, "OUTPUT", context)
+        gsd_path = self.parameterAsOutputLayer(parameters, "GSD", context) if parameters.get("GSD") else None
+        results["CELLS"] = write_draped(path, gsd_path, mosaic, terrain, feedback)
+        style_on_completion(context, path, "draped", tr("Draped photos"), (), self.displayName())
+        results["OUTPUT"] = path
+        if gsd_path:
+            style_on_completion(context, gsd_path, "gsd", tr("Ground sampling distance"), (), self.displayName())
+            results["GSD"] = gsd_path
+        return results
+
+
+def drape(mosaic, photo, options):
+    """Add one photo; gives its number of cells."""
+    from ..core.drape import drape_photo
+    from ..core.io.photo import read_photo
+    from ..core.picture_pyramid import build_picture_pyramid
+    from ..core.viewshed import PhotoFrame, viewshed
+
+    if not photo.path:
+        raise PhotoError(tr("The point names no photo."))
+    picture = build_picture_pyramid(read_photo(photo.path).pixels)
+    sector = PhotoFrame(photo.view.camera, photo.view.pose)
+    seen = viewshed(photo.terrain, photo.observer, sector, options, subtask(photo.progress, 0.1, 0.6))
+    rest = subtask(photo.progress, 0.6, 1.0)
+    return drape_photo(mosaic, photo.terrain, photo.view, picture, seen.visible, seen.window, rest)

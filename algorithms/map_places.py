@@ -1,0 +1,77 @@
+"""Places between three systems: a layer's coordinates, the DEM's, and the local metres around an eye."""
+
+from __future__ import annotations
+
+import numpy as np
+from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsProcessingException
+
+from .i18n import tr
+
+
+def to_dem_transform(crs, dem_crs, context):
+    """Transformation from a layer's CRS to the DEM's, or a clear refusal."""
+    if not crs.isValid():
+        raise QgsProcessingException(
+            tr("A layer has no coordinate reference system. Assign the right one in the layer's properties.")
+        )
+    return QgsCoordinateTransform(crs, dem_crs, context.transformContext())
+
+
+def local_of_map(dem, frame, x, y):
+    """Local (east, north) [m] of places in the DEM's CRS."""
+    x0, dx, _, y0, _, dy = dem.geotransform
+    return frame.to_local((np.asarray(x, float) - x0) / dx - 0.5, (np.asarray(y, float) - y0) / dy - 0.5)
+
+
+def map_of_local(dem, frame, east_m, north_m):
+    """(x, y) in the DEM's CRS of local places."""
+    x0, dx, _, y0, _, dy = dem.geotransform
+    col, row = frame.to_pixel(east_m, north_m)
+    return x0 + dx * (col + 0.5), y0 + dy * (row + 0.5)
+
+
+def transformed(geometry, transform):
+    """Copy of a geometry in the transform's target, or None where it cannot be transformed."""
+    copy = QgsGeometry(geometry)
+    try:
+        copy.transform(transform)
+    except QgsCsException:
+        return None
+    return None if copy.isNull() or copy.isEmpty() else copy
+
+
+def places_of(geometry, kind):
+    """Vertices of a geometry by parts: [(x, y, z), ...] arrays; z is NaN where the geometry has none.
+
+    `kind` is 'point' (all places in one part), 'line' (a part per line) or 'polygon' (a part per ring).
+    """
+    with_z = geometry.constGet().is3D()
+    if kind == "point":
+        return [_xyz(list(geometry.vertices()), with_z)]
+    parts = []
+    for part in geometry.constParts():
+        if kind == "line":
+            parts.append(_xyz(list(part.vertices()), with_z))
+        else:
+            rings = [part.exteriorRing(), *(part.interiorRing(k) for k in range(part.numInteriorRings()))]
+            parts += [_xyz(list(ring.vertices()), with_z) for ring in rings]
+    return parts
+
+
+def _xyz(vertices, with_z):
+    return (
+        np.array([v.x() for v in vertices]),
+        np.array([v.y() for v in vertices]),
+        np.array([v.z() if with_z else np.nan for v in vertices]),
+    )
+
+
+def kind_of(geometry):
+    """'point', 'line' or 'polygon' of a geometry."""
+    return ("point", "line", "polygon")[int(geometry.type())]
+
+
+def number(value):
+    """Give a float that QGIS stores; None for NaN and infinity."""
+    value = float(value)
+    return value if np.isfinite(value) else None

@@ -1,0 +1,128 @@
+"""Map features -> image coordinates on oriented photographs, with visible, hidden, outside."""
+
+from __future__ import annotations
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsWkbTypes,
+)
+
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .fields import qgis_fields
+from .i18n import tr
+from .image_features import ImageFeatures, line_specs, point_specs
+from .outputs import write_features
+from .picture_files import PictureFolder
+from .styling import style_on_completion
+from .views import add_view_parameters, open_views, sight_options
+
+
+class MapToPixel(SkylineAlgorithm):
+    """Find where map features appear in photographs."""
+
+    ID = "maptopixel"
+    GROUP_ID = "maps"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Map to pixels")
+
+    def tags(self):
+        """Search words."""
+        return tr("project,overlay,photo,pixel,visible,hidden,trail,outline,annotate,augmented").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Where points, lines and areas of the map appear in oriented photos, and what hides them")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and "
+                "outlines follow the terrain and are cut where they go behind it or out of the picture; each piece "
+                "says <b>visible</b>, <b>hidden</b>, <b>outside</b> or <b>unknown</b> (no elevation there). "
+                "Areas also tell which share of them is seen."
+            ),
+            tr(
+                "The output's coordinates are those of the picture as QGIS shows it without georeference: x to the "
+                "right, y negative downwards from the upper left corner; load the photo beside it. The fields "
+                "<b>x_px</b> and <b>y_px</b> count from the centre of the first pixel, y down."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        features = QgsProcessingParameterFeatureSource(
+            "FEATURES", tr("Map features"), [QgsProcessing.SourceType.TypeVectorAnyGeometry]
+        )
+        text = tr("In any coordinate system. Heights are taken from the DEM unless Z is to be used.")
+        self.addParameter(shared.explained(features, text))
+        name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "FEATURES", optional=True)
+        self.addParameter(shared.explained(name, tr("Written to the output and into the pictures.")))
+        add_view_parameters(self)
+        above = shared.distance("HEIGHT_ABOVE", tr("Height above ground (m)"), 0.0, tr("Of what is to be seen."))
+        self.addParameter(shared.advanced(above))
+        step = shared.number("STEP", tr("Step along lines (px)"), 2.0, tr("How finely lines are followed."), 0.1)
+        self.addParameter(shared.advanced(step))
+        self.addParameter(shared.points_out("OUTPUT", tr("Points in pictures"), optional=True))
+        self.addParameter(
+            shared.points_out(
+                "LINES", tr("Lines and outlines in pictures"), QgsProcessing.SourceType.TypeVectorLine, optional=True
+            )
+        )
+        text = tr("One PNG and one SVG per photo with the features drawn in; hidden parts are dashed.")
+        self.addParameter(shared.folder_out("PICTURES", tr("Folder for annotated photos"), text))
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of points and pieces")))
+        self.addOutput(QgsProcessingOutputNumber("VISIBLE_COUNT", tr("Number of visible points and pieces")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def compute(self, parameters, context, feedback):
+        """Project photo by photo, then write."""
+        source = self.parameterAsSource(parameters, "FEATURES", context)
+        if source is None:
+            raise QgsProcessingException(self.invalidSourceError(parameters, "FEATURES"))
+        terrain, options = self.dem.open(), sight_options(self, parameters, context)
+        found = ImageFeatures(
+            terrain,
+            source,
+            self.dem.crs,
+            context,
+            self.parameterAsString(parameters, "NAME_FIELD", context),
+            options,
+            self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context),
+            self.parameterAsDouble(parameters, "STEP", context),
+        )
+        folder = self.parameterAsString(parameters, "PICTURES", context)
+        pictures = PictureFolder(folder)
+        reach = options.max_distance_m
+        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
+            pictures.annotate(photo, *found.add(photo), feedback)
+        results = {"COUNT": len(found.points) + len(found.lines), "VISIBLE_COUNT": found.visible_count}
+        for name, title, specs, kind, rows in (
+            ("OUTPUT", tr("Points in pictures"), point_specs(), QgsWkbTypes.Type.Point, found.points),
+            ("LINES", tr("Lines in pictures"), line_specs(), QgsWkbTypes.Type.LineString, found.lines),
+        ):
+            if parameters.get(name) is None:
+                continue
+            nowhere = QgsCoordinateReferenceSystem()
+            written = write_features(self, parameters, name, context, qgis_fields(specs), kind, nowhere, rows)
+            if written is not None:
+                style_on_completion(context, written, f"image_{name.lower()}", title, specs, self.displayName())
+                results[name] = written
+        return {**results, "PICTURES": folder} if folder else results

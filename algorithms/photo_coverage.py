@@ -1,0 +1,161 @@
+"""A collection of oriented photographs -> how often and how well the ground is seen, and who is needed."""
+
+from __future__ import annotations
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingOutputBoolean,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSource,
+    QgsWkbTypes,
+)
+
+from ..core.errors import PhotoError
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .coverage_outputs import area_mask, coverage_specs, coverage_window, table_rows, write_coverage
+from .elevation import dem_fault, dem_source
+from .feedback import warn
+from .fields import is_null, qgis_fields
+from .i18n import tr
+from .outputs import write_features
+from .styling import style_on_completion
+from .views import add_view_parameters, open_views
+
+
+class PhotoCoverage(SkylineAlgorithm):
+    """Tell what a collection covers."""
+
+    ID = "photocoverage"
+    GROUP_ID = "maps"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Coverage of a photo collection")
+
+    def tags(self):
+        """Search words."""
+        return tr("coverage,blind spot,viewshed,cumulative,set cover,monitoring,fewest,photos,gsd").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("How often and how finely each cell is photographed, blind spots, and the fewest photos needed")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Counts the photographs that see each cell of the area (0 is a blind spot) and gives the finest "
+                "ground sampling distance among them in metres per pixel, across the line of sight."
+            ),
+            tr(
+                "The table tells how much each photograph sees, and which of them are needed: as few as possible "
+                "that together see all that the collection sees, in the order of what each adds (<b>pick</b>). "
+                "PROVEN is true where no smaller choice exists."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        add_view_parameters(self, photo_needed=False)
+        area = QgsProcessingParameterFeatureSource(
+            "AREA", tr("Area"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
+        )
+        text = tr(
+            "Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo."
+        )
+        self.addParameter(shared.explained(area, text))
+        self.addParameter(shared.raster_out("OUTPUT", tr("Number of photos")))
+        self.addParameter(shared.raster_out("GSD", tr("Best ground sampling distance"), optional=True, create=False))
+        self.addParameter(
+            shared.points_out(
+                "TABLE", tr("Photos and what they add"), QgsProcessing.SourceType.TypeVector, optional=True
+            )
+        )
+        for name, label in (
+            ("COUNT", tr("Number of photos")),
+            ("SEEN_SHARE", tr("Share of the area seen by at least one")),
+            ("BLIND_CELLS", tr("Number of cells that no photo sees")),
+            ("FEWEST", tr("Fewest photos that see all that the collection sees")),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+        self.addOutput(QgsProcessingOutputBoolean("PROVEN", tr("No smaller choice exists")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def compute(self, parameters, context, feedback):
+        """See photo by photo, choose, then write."""
+        from ..core.coverage import Coverage
+
+        terrain = self.dem.open()
+        reach = self.parameterAsDouble(parameters, "MAX_DISTANCE", context)
+        photos = list(open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.05)))
+        if not photos:
+            raise QgsProcessingException(tr("None of the points is an oriented photo on this DEM."))
+        geometries = self._area(parameters, context)
+        window = coverage_window(terrain, photos, reach, geometries)
+        coverage = Coverage(window, area_mask(terrain, window, geometries))
+        cells = self._see(photos, terrain, coverage, parameters, context, feedback)
+        chosen, proven, gains = coverage.fewest_photos()
+        output, gsd = write_coverage(self, parameters, context, coverage, terrain, feedback)
+        specs, nowhere = coverage_specs(), QgsCoordinateReferenceSystem()
+        rows = table_rows(photos, cells, coverage, chosen, gains, terrain)
+        results = {"OUTPUT": output, "COUNT": len(photos), "FEWEST": len(chosen), "PROVEN": proven}
+        results["BLIND_CELLS"] = int(coverage.blind.sum())
+        results["SEEN_SHARE"] = 1 - results["BLIND_CELLS"] / max(int(coverage.area.sum()), 1)
+        if gsd:
+            results["GSD"] = gsd
+        if parameters.get("TABLE") is not None:
+            results["TABLE"] = write_features(
+                self, parameters, "TABLE", context, qgis_fields(specs), QgsWkbTypes.Type.NoGeometry, nowhere, rows
+            )
+            style_on_completion(context, results["TABLE"], "coverage", tr("Photos"), specs, self.displayName())
+        return results
+
+    def _see(self, photos, terrain, coverage, parameters, context, feedback):
+        """Add every photo's viewshed; gives the cells that each sees."""
+        from ..core.progress import subtask
+        from ..core.viewshed import PhotoFrame, ViewshedOptions, viewshed
+        from .feedback import FeedbackProgress
+
+        options = ViewshedOptions(
+            max_distance_m=self.parameterAsDouble(parameters, "MAX_DISTANCE", context),
+            refraction_coefficient=self.parameterAsDouble(parameters, "REFRACTION", context),
+        )
+        progress, cells = FeedbackProgress(feedback), []
+        for index, photo in enumerate(photos):
+            part = subtask(progress, 0.05 + 0.85 * index / len(photos), 0.05 + 0.85 * (index + 1) / len(photos))
+            sector = PhotoFrame(photo.view.camera, photo.view.pose)
+            try:
+                seen = viewshed(terrain, photo.observer, sector, options, part)
+            except PhotoError as error:
+                warn(feedback, photo.name, str(error))
+                cells.append(0)
+                continue
+            cells.append(coverage.add(photo.name, terrain, photo.view, seen.visible, seen.window))
+        return cells
+
+    def _area(self, parameters, context):
+        """Polygons of the area in the DEM's CRS; None for no area."""
+        if is_null(parameters.get("AREA")):
+            return None
+        from .map_places import to_dem_transform, transformed
+
+        source = self.parameterAsSource(parameters, "AREA", context)
+        if source is None:
+            raise QgsProcessingException(self.invalidSourceError(parameters, "AREA"))
+        transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
+        found = [transformed(feature.geometry(), transform) for feature in source.getFeatures()]
+        found = [geometry for geometry in found if geometry is not None]
+        if not found:
+            raise QgsProcessingException(tr("The area is empty, or lies where the DEM's CRS does not reach."))
+        return found

@@ -1,0 +1,70 @@
+"""Annotated pictures of a run: one PNG and one SVG per photo, each whole or not there."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from pathlib import Path
+
+from ..core.errors import MissingPackageError, PhotoError
+from .feedback import warn
+from .i18n import tr
+
+PREVIEW_PX = 1600
+
+
+def write_whole(path, content):
+    """Write bytes or text under a temporary name and rename."""
+    path = Path(path)
+    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
+    data = content.encode("utf-8") if isinstance(content, str) else content
+    try:
+        part.write_bytes(data)
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+class PictureFolder:
+    """Folder of annotated pictures; does nothing where the user wants none.
+
+    Parameters
+    ----------
+    folder : str
+        Empty for none.
+    """
+
+    def __init__(self, folder):
+        self.folder, self.count, self._taken = Path(folder) if folder else None, 0, set()
+
+    def stem(self, name):
+        """File name without suffix, not used before in this folder."""
+        stem = "".join(c if c.isalnum() or c in "-_. " else "_" for c in Path(name).stem) or "photo"
+        unique, number = stem, 1
+        while unique.lower() in self._taken:
+            number += 1
+            unique = f"{stem}_{number}"
+        self._taken.add(unique.lower())
+        return unique
+
+    def annotate(self, photo, points, strokes, feedback):
+        """Write one photo with its marks; a photo that cannot be read or drawn is warned of."""
+        if self.folder is None:
+            return
+        from ..core.annotate import annotate, annotation_pixels, annotation_svg
+        from ..core.draw_raster import encode_png
+        from ..core.io.photo import read_photo
+
+        if not photo.path:
+            warn(feedback, photo.name, tr("The point names no photo, so there is no picture to draw on."))
+            return
+        try:
+            picture = read_photo(photo.path, PREVIEW_PX)
+            drawn = annotate(picture.pixels, picture.metadata.width_px, points, strokes)
+            self.folder.mkdir(parents=True, exist_ok=True)
+            stem = self.stem(photo.name)
+            write_whole(self.folder / f"{stem}.png", encode_png(annotation_pixels(drawn), quickly=True))
+            write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn))
+            self.count += 1
+        except (PhotoError, MissingPackageError) as error:
+            warn(feedback, photo.name, str(error))

@@ -1,0 +1,119 @@
+"""Image features on oriented photographs -> map features on the DEM: monoplotting."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
+
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .fields import qgis_fields
+from .i18n import tr
+from .monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_specs
+from .outputs import write_features
+from .pixel_input import add_pixel_parameters, pixel_fault, pixel_features
+from .styling import style_on_completion
+from .views import add_uncertainty_parameters, add_view_parameters, open_views, sight_options, uncertainty_of
+
+
+class PixelToMap(SkylineAlgorithm):
+    """Place what was drawn on photographs on the map."""
+
+    ID = "pixeltomap"
+    GROUP_ID = "maps"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Pixels to map (monoplotting)")
+
+    def tags(self):
+        """Search words."""
+        return tr("monoplotting,pixel,photo,georeference,digitise,glacier,labelme,coco,via,ellipse,accuracy").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Points, lines and areas drawn on oriented photos become map features with an error ellipse")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "Each pixel's line of sight is followed to the elevation model, with the earth's curvature and "
+                "refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them "
+                "jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in <b>status</b>."
+            ),
+            tr(
+                "The error ellipse holds the true place with the chosen probability, given the uncertainty of "
+                "heading, pitch, roll, focal length, position and DEM. <b>p_other</b> is the probability that the "
+                "pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        add_pixel_parameters(self)
+        add_view_parameters(self, 60_000.0)
+        coverage = shared.number(
+            "COVERAGE", tr("Probability that the ellipse holds (%)"), 90.0, tr("90 % is usual."), 1.0, 99.9
+        )
+        self.addParameter(shared.advanced(coverage))
+        step = shared.number(
+            "STEP", tr("Step along lines (px)"), 3.0, tr("Lines and outlines are followed in steps of this."), 0.1
+        )
+        self.addParameter(shared.advanced(step))
+        add_uncertainty_parameters(self)
+        self.addParameter(shared.points_out("OUTPUT", tr("Points on the map"), optional=True))
+        self.addParameter(
+            shared.points_out("LINES", tr("Lines on the map"), QgsProcessing.SourceType.TypeVectorLine, optional=True)
+        )
+        self.addParameter(
+            shared.points_out(
+                "POLYGONS", tr("Areas on the map"), QgsProcessing.SourceType.TypeVectorPolygon, optional=True
+            )
+        )
+        self.addParameter(
+            shared.points_out(
+                "ELLIPSES",
+                tr("Error ellipses"),
+                QgsProcessing.SourceType.TypeVectorPolygon,
+                optional=True,
+                create=False,
+            )
+        )
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of map features")))
+        self.addOutput(QgsProcessingOutputNumber("SKY_COUNT", tr("Number of features that meet no ground")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM and that something was drawn."""
+        return dem_fault(self, parameters, context) or pixel_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def compute(self, parameters, context, feedback):
+        """Place photo by photo, then write."""
+        drawn = pixel_features(self, parameters, context)
+        terrain, options = self.dem.open(), sight_options(self, parameters, context)
+        coverage = self.parameterAsDouble(parameters, "COVERAGE", context) / 100
+        step_px = self.parameterAsDouble(parameters, "STEP", context)
+        placed = MapFeatures(terrain, drawn, options, coverage, step_px)
+        reach = options.max_distance_m
+        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
+            placed.add(photo, uncertainty_of(self, parameters, context, photo.feature), feedback)
+        placed.tell_unused(feedback)
+        results = {"COUNT": placed.count, "SKY_COUNT": placed.sky_count}
+        for name, title, specs, kind, rows in (
+            ("OUTPUT", tr("Points on the map"), point_specs(), QgsWkbTypes.Type.PointZ, placed.points),
+            ("LINES", tr("Lines on the map"), drawn_specs(), QgsWkbTypes.Type.MultiLineStringZ, placed.lines),
+            ("POLYGONS", tr("Areas on the map"), drawn_specs(), QgsWkbTypes.Type.MultiPolygonZ, placed.polygons),
+            ("ELLIPSES", tr("Error ellipses"), ellipse_specs(), QgsWkbTypes.Type.Polygon, placed.ellipses),
+        ):
+            if name != "OUTPUT" and parameters.get(name) is None:
+                continue
+            written = write_features(self, parameters, name, context, qgis_fields(specs), kind, self.dem.crs, rows)
+            if written is not None:
+                style_on_completion(context, written, name.lower(), title, specs, self.displayName())
+                results[name] = written
+        return results

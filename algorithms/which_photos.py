@@ -1,0 +1,187 @@
+"""Places and oriented photographs -> which photos show which place, and how well."""
+
+from __future__ import annotations
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsWkbTypes,
+)
+
+from . import parameters as shared
+from .base import SkylineAlgorithm
+from .elevation import dem_fault, dem_source
+from .fields import FieldSpec, is_null, qgis_fields
+from .i18n import tr
+from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+from .outputs import write_features
+from .styling import style_on_completion
+from .views import add_view_parameters, open_views, sight_options
+
+NET_CELLS = 1.0
+"""Areas are asked in a net of this many DEM cells."""
+
+
+class WhichPhotos(SkylineAlgorithm):
+    """Find the photographs that show given places."""
+
+    ID = "whichphotos"
+    GROUP_ID = "maps"
+
+    def displayName(self):
+        """Title in the toolbox."""
+        return tr("Which photos show these places?")
+
+    def tags(self):
+        """Search words."""
+        return tr("search,photo,archive,place,visible,inverse,query,resolution,ranking").split(",")
+
+    def shortDescription(self):
+        """One line."""
+        return tr("Table of places and the photos that show them: share, pixels per metre, angle, pixel, rank")
+
+    def help_text(self):
+        """Paragraphs of the help."""
+        return [
+            tr(
+                "For each point, line or area of the places layer: the photographs in whose frame it lies and that "
+                "see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture "
+                "it is. One row per place and photo, best photo of each place first (<b>rank</b> 1)."
+            ),
+            tr(
+                "<b>quality</b> = visible share x pixels per metre x cosine of the angle of incidence: pixels for a "
+                "metre of ground in the worse direction. <b>place_id</b> and <b>photo_id</b> are the features' ids, "
+                "ready for relations to both layers."
+            ),
+        ]
+
+    def initAlgorithm(self, config=None):
+        """Declare parameters and outputs."""
+        places = QgsProcessingParameterFeatureSource(
+            "PLACES", tr("Places"), [QgsProcessing.SourceType.TypeVectorAnyGeometry]
+        )
+        self.addParameter(shared.explained(places, tr("Points, lines or areas, in any coordinate system.")))
+        name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "PLACES", optional=True)
+        self.addParameter(shared.explained(name, tr("Copied to the table.")))
+        add_view_parameters(self)
+        above = shared.distance(
+            "HEIGHT_ABOVE", tr("Height above ground (m)"), 0.0, tr("Of what is looked for: a tower, a tree top.")
+        )
+        self.addParameter(shared.advanced(above))
+        least = shared.number(
+            "MIN_SHARE",
+            tr("Least visible share (%)"),
+            0.0,
+            tr("Photos that show less of a place are left out."),
+            0,
+            100,
+        )
+        self.addParameter(shared.advanced(least))
+        self.addParameter(shared.points_out("OUTPUT", tr("Photos of places"), QgsProcessing.SourceType.TypeVector))
+        self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of rows")))
+        self.addOutput(QgsProcessingOutputNumber("UNSEEN", tr("Number of places that no photo shows")))
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
+
+    def compute(self, parameters, context, feedback):
+        """Ask photo by photo, rank, then write."""
+        from ..core.photo_index import find_sightings
+
+        terrain, options = self.dem.open(), sight_options(self, parameters, context)
+        places = self._places(parameters, context)
+        above_m = self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context)
+        least = self.parameterAsDouble(parameters, "MIN_SHARE", context) / 100
+        found, reach = {}, options.max_distance_m
+        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
+            samples = [samples_of(terrain, photo.view.frame, geometry) for _, _, geometry in places]
+            sightings = find_sightings(terrain, photo.view, samples, options, above_m, photo.progress)
+            for sighting in sightings:
+                if sighting.visible_share >= least:
+                    found.setdefault(sighting.place, []).append((photo, sighting))
+        rows = [row for place, shown in sorted(found.items()) for row in ranked(places[place], shown)]
+        specs, nowhere = which_specs(), QgsCoordinateReferenceSystem()
+        output = write_features(
+            self, parameters, "OUTPUT", context, qgis_fields(specs), QgsWkbTypes.Type.NoGeometry, nowhere, rows
+        )
+        style_on_completion(context, output, "which_photos", tr("Photos of places"), specs, self.displayName())
+        return {"OUTPUT": output, "COUNT": len(rows), "UNSEEN": len(places) - len(found)}
+
+    def _places(self, parameters, context):
+        """(id, name, geometry in the DEM's CRS) of each place."""
+        source = self.parameterAsSource(parameters, "PLACES", context)
+        if source is None:
+            raise QgsProcessingException(self.invalidSourceError(parameters, "PLACES"))
+        transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
+        field = self.parameterAsString(parameters, "NAME_FIELD", context)
+        places = []
+        for feature in source.getFeatures():
+            geometry = transformed(feature.geometry(), transform)
+            if geometry is not None:
+                name = feature[field] if field else None
+                places.append((feature.id(), None if is_null(name) else str(name), geometry))
+        if not places:
+            raise QgsProcessingException(tr("The places layer is empty, or lies where the DEM's CRS does not reach."))
+        return places
+
+
+def samples_of(terrain, frame, geometry):
+    """Local places at which a place is asked: its points, its line in steps of a cell, a net over its area."""
+    import numpy as np
+
+    from ..core.projecting import sample_area
+
+    kind = kind_of(geometry)
+    if kind == "line":
+        pixel = abs(terrain.geotransform[1])
+        geometry = geometry.densifyByDistance(NET_CELLS * pixel)
+    parts = [local_of_map(terrain, frame, x, y) for x, y, _ in places_of(geometry, kind)]
+    if kind == "polygon":
+        east, north = sample_area(parts, NET_CELLS * frame.cell_m)
+        if east.size:
+            return east, north
+    return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
+
+
+def ranked(place, shown):
+    """Rows of one place, best photo first."""
+    identifier, name, _ = place
+    shown = sorted(shown, key=lambda item: -item[1].quality)
+    rows = []
+    for rank, (photo, seen) in enumerate(shown, start=1):
+        values = [identifier, name, photo.feature.id(), photo.path or photo.name, rank, seen.visible_share]
+        values += [seen.framed_share, seen.x_px, seen.y_px, seen.distance_m, seen.azimuth_deg, seen.elevation_deg]
+        values += [seen.pixels_per_metre, seen.incidence_deg, seen.quality]
+        rows.append((None, [v if isinstance(v, (int, str, type(None))) else number(v) for v in values]))
+    return rows
+
+
+def which_specs():
+    """Fields of the table."""
+    return [
+        FieldSpec("place_id", "whole", tr("Place")),
+        FieldSpec("place", "text", tr("Name of the place")),
+        FieldSpec("photo_id", "whole", tr("Photo point")),
+        FieldSpec("photo", "text", tr("Photo")),
+        FieldSpec("rank", "whole", tr("Rank among the photos of the place")),
+        FieldSpec("vis_share", "real", tr("Visible share of the place")),
+        FieldSpec("in_frame", "real", tr("Share of the place within the frame")),
+        FieldSpec("x_px", "real", tr("Column of its middle (px)")),
+        FieldSpec("y_px", "real", tr("Row of its middle (px)")),
+        FieldSpec("dist_m", "real", tr("Distance (m)")),
+        FieldSpec("azimuth", "real", tr("Azimuth from the camera (° from true north)")),
+        FieldSpec("elev_deg", "real", tr("Elevation angle from the camera (°)")),
+        FieldSpec("px_per_m", "real", tr("Pixels per metre")),
+        FieldSpec("incidence", "real", tr("Angle of incidence (°, 0 head-on)")),
+        FieldSpec("quality", "real", tr("Quality: pixels per metre of ground in the worse direction")),
+    ]
