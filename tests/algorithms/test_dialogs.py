@@ -1,0 +1,119 @@
+"""The dialogs as a user meets them: opened through Processing, filled in and run, offscreen."""
+
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsApplication, QgsProcessingParameterDefinition
+from skyline_viewshed.processing_provider.provider import ALGORITHMS
+
+PACKAGE = "skyline_viewshed"
+
+OURS = [getattr(import_module(f"{PACKAGE}.algorithms.{module}"), name).ID for module, name in ALGORITHMS]
+MODELS = sorted(path.stem for path in (Path(__file__).resolve().parents[2] / "models").glob("*.model3"))
+IDS = [*OURS, *MODELS]
+
+
+@pytest.fixture
+def dialogs(provider, qgis_iface):
+    """Typed models for the stub interface; without them opening a dialog ends the process on newer QGIS."""
+    from qgis.gui import QgsBrowserGuiModel, QgsLayerTreeView
+
+    model, tree = QgsBrowserGuiModel(), QgsLayerTreeView()
+    qgis_iface.browserModel = lambda: model
+    qgis_iface.layerTreeView = lambda: tree
+    return qgis_iface
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_dialog_opens(dialogs, name):
+    import processing
+
+    dialog = processing.createAlgorithmDialog(f"skylineviewshed:{name}", {})
+    assert dialog is not None
+    dialog.show()
+    dialog.close()
+
+
+def test_a_run_from_the_dialog(dialogs, scene, tmp_path):
+    import processing
+    from qgis.PyQt.QtTest import QTest
+
+    parameters = {"FOLDER": str(scene.folder), "OUTPUT": str(tmp_path / "photos.gpkg")}
+    dialog = processing.createAlgorithmDialog("skylineviewshed:importphotos", parameters)
+    dialog.show()
+    dialog.runButton().click()
+    for _ in range(100):
+        QTest.qWait(50)
+        if dialog.results():
+            break
+    assert dialog.results()["COUNT"] == 2
+    dialog.close()
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_algorithm_explains_itself(algorithm, name):
+    it = algorithm(name)
+    assert it.shortHelpString().strip() and it.displayName().strip() and it.group().strip()
+    assert not it.icon().isNull()
+    if name in OURS:
+        assert it.shortDescription() and it.helpUrl().endswith(name) and len(it.tags()) >= 4
+        for definition in it.parameterDefinitions():
+            assert definition.description(), definition.name()
+            if not definition.isDestination():
+                assert definition.help(), f"{name}: {definition.name()} has no tooltip"
+
+
+@pytest.mark.parametrize("name", OURS)
+def test_few_inputs_are_visible_at_first(algorithm, name):
+    it = algorithm(name)
+    hidden = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    visible = [d.name() for d in it.parameterDefinitions() if not d.isDestination() and not d.flags() & hidden]
+    assert len(visible) <= 7, visible
+
+
+@pytest.mark.parametrize("name", OURS)
+def test_lengths_are_metres_and_parameter_names_are_capitals(algorithm, name):
+    from qgis.core import QgsUnitTypes
+
+    it = algorithm(name)
+    for definition in it.parameterDefinitions():
+        assert definition.name() == definition.name().upper() and definition.name().isascii()
+        if definition.type() == "distance":
+            assert definition.defaultUnit() == QgsUnitTypes.DistanceUnit.DistanceMeters
+            assert "(m)" in definition.description()
+
+
+def test_icons_are_our_own_one_per_algorithm(provider):
+    paths = [Path(algorithm.svgIconPath()) for algorithm in provider.algorithms() if algorithm.groupId() != "models"]
+    assert len(paths) == len(set(paths)) >= 8
+    for path in [*paths, Path(provider.svgIconPath())]:
+        assert path.exists() and path.read_text().startswith("<svg")
+
+
+def test_outputs_are_dressed_when_they_are_loaded(run, scene):
+    from qgis.core import QgsProcessingContext, QgsProject
+
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    alg = QgsApplication.processingRegistry().algorithmById("skylineviewshed:importphotos").create()
+    from qgis.core import QgsProcessingFeedback
+
+    feedback = QgsProcessingFeedback()
+    destination = "memory:photos"
+    from qgis.core import QgsProcessingOutputLayerDefinition
+
+    sink = QgsProcessingOutputLayerDefinition(destination, context.project())
+    results, done = alg.run({"FOLDER": str(scene.folder), "OUTPUT": sink}, context, feedback)
+    assert done
+    identifier = results["OUTPUT"]
+    details = context.layerToLoadOnCompletionDetails(identifier)
+    layer = context.getMapLayer(identifier)
+    assert details.postProcessor() is not None
+    details.postProcessor().postProcessLayer(layer, context, feedback)
+    fields = layer.fields()
+    assert fields.at(fields.lookupField("hfov")).alias() == "Horizontal field of view (°)"
+    assert layer.editorWidgetSetup(fields.lookupField("photo")).type() == "ExternalResource"
+    assert "<img" in layer.mapTipTemplate()
+    assert "wedge_buffer" in layer.renderer().symbol().symbolLayer(0).properties()["geometryModifier"]
+    assert layer.metadata().abstract()
