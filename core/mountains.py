@@ -75,13 +75,17 @@ def make_mountains(seed, options: MountainOptions | None = None, progress: Progr
     carved = _carve(generator, whole_m, options, progress)
     tile_seed = int(generator.integers(2**31))
     surface = _resample_inner(carved, options.size, tile_seed)
-    low, high = surface.min(), surface.max()
-    surface = options.base_m + (surface - low) * (options.relief_m / (high - low))
+    surface = _rescaled(surface, options)
     carved_cell_m = whole_m / len(carved)
     repose = np.tan(np.radians(options.repose_deg))
-    surface = _slide(surface, options.cell_m, repose, passes=10)
+    surface = _rescaled(_slide(surface, options.cell_m, repose, passes=10), options)
     surface = surface + roughness(surface, options.cell_m, max(carved_cell_m, options.cell_m), tile_seed)
     return ArrayTerrain(surface.astype(np.float32), options.cell_m, options.longitude_deg, options.latitude_deg)
+
+
+def _rescaled(surface, options):
+    low, high = surface.min(), surface.max()
+    return options.base_m + (surface - low) * (options.relief_m / (high - low))
 
 
 def roughness(elevation_m, cell_m, coarse_cell_m, seed, strength=0.22, origin_px=(0, 0)):
@@ -126,7 +130,7 @@ def _rough_pattern(seed, fine_per_coarse):
 
 def _carve(generator, whole_m, options, progress):
     size, levels = COARSEST_CELLS, []
-    while size <= FINEST_CELLS:
+    while size <= min(FINEST_CELLS, max(options.size, COARSEST_CELLS)):
         levels.append(size)
         size = int(size * 1.6)
     steps = [max(int(40 * (levels[0] / n) ** 1.0), 5) for n in levels]
@@ -235,6 +239,7 @@ def drainage(height):
         better = dry & (drop > best)
         receiver[:-1][better] = index.ravel()[better] + dr * cols + dc
         best[better] = drop[better]
+    receiver[border] = count
     step = np.abs(receiver[:-1] - np.arange(count))
     length = np.where((step == 1) | (step == cols), 1.0, np.sqrt(2.0))
     return receiver, length

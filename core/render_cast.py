@@ -111,17 +111,38 @@ def cast_fan(terrain_patch, frame, camera, pose, turns_deg, eye_elevation_m, ran
     count = int(np.ceil((turns_deg[1] - turns_deg[0]) / step)) + 3
     azimuth = pose.heading_deg + turns_deg[0] + step * (np.arange(count) - 1)
     distance = ring_distances_m(frame.cell_m, camera.focal_px, range_m)
-    lowered = eye_elevation_m + apparent_drop_m(distance, REFRACTION_COEFFICIENT)
     tangent = np.empty((count, distance.size), np.float32)
+
+    def tangents(angle, at_m):
+        height = terrain_patch.sample(
+            terrain_patch.elevation_m, frame, at_m * np.sin(angle), at_m * np.cos(angle), VOID_M
+        )
+        rise = height - eye_elevation_m - apparent_drop_m(at_m, REFRACTION_COEFFICIENT)
+        return np.where(height > VOID_M / 10, rise / at_m, UNSEEN_TAN)
+
     for start in range(0, count, COLUMNS_PER_BLOCK):
         checkpoint(progress, start / count)
-        angle = np.radians(azimuth[start : start + COLUMNS_PER_BLOCK])[:, None]
-        height = terrain_patch.sample(
-            terrain_patch.elevation_m, frame, distance * np.sin(angle), distance * np.cos(angle), VOID_M
-        )
-        rise = (height - lowered) / distance
-        tangent[start : start + COLUMNS_PER_BLOCK] = np.where(height > VOID_M / 10, rise, UNSEEN_TAN)
+        angle = np.radians(azimuth[start : start + COLUMNS_PER_BLOCK])
+        block = tangent[start : start + COLUMNS_PER_BLOCK]
+        block[:] = tangents(angle[:, None], distance)
+        _sharpen_crests(block, angle, distance, tangents)
     return Fan(azimuth, distance, tangent, np.maximum.accumulate(tangent, axis=1))
+
+
+SAMPLES_AT_CREST = 12
+
+
+def _sharpen_crests(tangent, angle, distance, tangents):
+    """Raise rings that stand on a visible crest to the crest's true height, which lies between rings."""
+    highest = np.maximum.accumulate(tangent, axis=1)
+    inner = tangent[:, 1:-1]
+    crest = (inner >= highest[:, 1:-1]) & (inner > tangent[:, 2:]) & (inner > UNSEEN_TAN)
+    plane, ring = np.nonzero(crest)
+    ring = ring + 1
+    share = np.linspace(0, 1, SAMPLES_AT_CREST + 2)[1:-1]
+    between = distance[ring - 1, None] + share * (distance[ring + 1] - distance[ring - 1])[:, None]
+    best = tangents(angle[plane, None], between).max(axis=1)
+    tangent[plane, ring] = np.maximum(tangent[plane, ring], best)
 
 
 def first_hits_m(fan, azimuth_deg, tangent):

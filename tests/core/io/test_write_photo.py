@@ -22,19 +22,19 @@ def gradient(height=60, width=90):
 
 
 def facts(**changes):
-    values = dict(
-        latitude_deg=-27.835497,
-        longitude_deg=-86.764236,
-        altitude_m=3865.7,
-        altitude_reference="sea level",
-        focal_length_35mm=47.0,
-        focal_length_mm=5.96,
-        compass_heading_deg=243.25,
-        compass_reference="M",
-        position_error_m=4.75,
-        taken_at=datetime(2024, 10, 29, 6, 12, 5),
-        camera="Apple iPhone 15",
-    )
+    values = {
+        "latitude_deg": -27.835497,
+        "longitude_deg": -86.764236,
+        "altitude_m": 3865.7,
+        "altitude_reference": "sea level",
+        "focal_length_35mm": 47.0,
+        "focal_length_mm": 5.96,
+        "compass_heading_deg": 243.25,
+        "compass_reference": "M",
+        "position_error_m": 4.75,
+        "taken_at": datetime(2024, 10, 29, 6, 12, 5),
+        "camera": "Apple iPhone 15",
+    }
     return PhotoMetadata("", 90, 60, **{**values, **changes})
 
 
