@@ -23,6 +23,7 @@ from .model import Orientation, OrientedPhoto
 from .pipeline import Hints, OrientOptions, camera_prior, orient_photo
 from .prior import HeadingPrior, Landmark
 from .progress import SILENT, subtask
+from .ridges import occlusion_edges
 from .skyline_given import evidence_from_line, evidence_from_mask
 from .terrain import Observer, eye_elevation_m, ground_elevation_m
 
@@ -103,12 +104,12 @@ class PhotoRequest:
 
 
 class HorizonCache:
-    """The last horizons, for photographs taken from one station.
+    """The last horizons and inner ridges, for photographs taken from one station.
 
     Parameters
     ----------
     size : int
-        Horizons kept; each takes about 100 kB.
+        Stations kept; each takes about 200 kB.
     """
 
     def __init__(self, size=32):
@@ -117,10 +118,18 @@ class HorizonCache:
 
     def profile(self, dem, observer, options, progress=SILENT):
         """Give the observer's horizon, cast anew only where it is not among the last ones."""
-        key = (id(dem), observer, options)
+        return self._look_up(horizon_profile, dem, observer, options, progress)
+
+    def ridges(self, dem, observer, options, progress=SILENT):
+        """Give the observer's inner ridges in the same way."""
+        return self._look_up(occlusion_edges, dem, observer, options, progress)
+
+    def _look_up(self, compute, dem, observer, options, progress):
+        key = (compute, id(dem), observer, options)
         if key not in self._kept:
-            self._kept[key] = (horizon_profile(dem, observer, options, progress), dem)
-            while len(self._kept) > self.size:
+            # The DEM is kept with its results, so that its id cannot come to mean another one.
+            self._kept[key] = (compute(dem, observer, options, progress), dem)
+            while len(self._kept) > 2 * self.size:
                 self._kept.popitem(last=False)
         self._kept.move_to_end(key)
         return self._kept[key][0]
@@ -168,8 +177,9 @@ def _orient(request, dem, options, cache, progress):
     error = request.position_error_m
     if error is None and not given:
         error = metadata.position_error_m
+    ridges = None if paper else cache.ridges(dem, observer, options.ridges)
     oriented = orient_photo(
-        photo, dem, observer, prior, options, hints, horizon, error or TYPICAL_POSITION_ERROR_M,
+        photo, dem, observer, prior, options, hints, horizon, ridges, error or TYPICAL_POSITION_ERROR_M,
         subtask(progress, 0.4, 1.0),
     )  # fmt: skip
     notes = metadata.notes + _eye_notes(metadata, oriented) + oriented.orientation.notes

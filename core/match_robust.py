@@ -18,6 +18,7 @@ from .match_paper import correlation
 from .match_posterior import Finding, PosteriorOptions, answer_probabilities, interval, p_correct, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
+from .match_ridges import RidgeEvidence, RidgeMatchOptions
 from .match_search import SearchOptions, coarse_search
 from .model import Candidate, Orientation
 from .progress import SILENT, subtask
@@ -29,7 +30,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    evidence, search, refine, posterior : options of the stages
+    evidence, search, refine, ridges, posterior : options of the stages
     full_fits : int
         Candidates that get the full fit.
     same_answer_deg : float
@@ -41,6 +42,7 @@ class RobustOptions:
     evidence: EvidenceOptions = field(default_factory=EvidenceOptions)
     search: SearchOptions = field(default_factory=SearchOptions)
     refine: RefineOptions = field(default_factory=RefineOptions)
+    ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     full_fits: int = 8
     same_answer_deg: float = 1.5
@@ -55,6 +57,7 @@ def match_robust(
     heading_prior=None,
     landmarks=(),
     position_error_m=None,
+    ridges=None,
     progress=SILENT,
 ):
     """Find where a photograph looks, and say how sure that is.
@@ -70,6 +73,8 @@ def match_robust(
     landmarks : sequence of prior.Landmark
     position_error_m : float or None
         Standard deviation of the observer's position [m]; None takes 8 m.
+    ridges : ridges.RidgeEdges or None
+        Crests inside the terrain, for second evidence.
     progress : Progress
 
     Returns
@@ -88,7 +93,15 @@ def match_robust(
     starts = [starting_pose(camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     starts = np.concatenate([starts, coarse.candidates])
-    trials, score = _fit(objective, starts, heading_prior, options, subtask(progress, 0.4, 1.0))
+    crests = None
+    if ridges is not None and evidence.ridge_score is not None and options.ridges.weight > 0:
+        error = options.refine.terrain_error_cells
+        crests = RidgeEvidence(evidence.ridge_score, ridges, horizon.cell_m, error, options.ridges)
+
+    def bonus(trials):
+        return _bonus(objective, trials, heading_prior, crests, options)
+
+    trials, score = _fit(objective, starts, bonus, options, subtask(progress, 0.4, 1.0))
     finding = _finding(objective, trials, score, position_error_m, options)
     best_probability = p_correct(finding)
     probability = answer_probabilities(finding, best_probability)
@@ -117,13 +130,20 @@ def match_robust(
     )
 
 
-def _fit(objective, coarse, heading_prior, options, progress):
+def _bonus(objective, trials, heading_prior, crests, options):
+    """What speaks for a trial beside the skyline: the belief in its heading, and inner crests."""
+    bonus = log_ratio(heading_prior, trials[:, 0]) / options.refine.effective_columns
+    if crests is not None:
+        rows, _ = objective.rows(trials, np.arange(objective.stack.shape[1]))
+        bonus = bonus + crests.score(objective.camera, trials, rows)
+    return bonus
+
+
+def _fit(objective, starts, bonus, options, progress):
     """Short fits of all candidates, full fits of the best distinct ones; returns distinct trials and scores."""
-    weight = 1 / options.refine.effective_columns
-    trials = np.column_stack([coarse, np.zeros((len(coarse), 2))])
+    trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score = refine(objective, trials, 3.0, stride=4, progress=subtask(progress, 0.0, 0.5))
-    score = score + weight * log_ratio(heading_prior, trials[:, 0])
-    kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
+    kept = distinct(trials[:, 0], score + bonus(trials), options.same_answer_deg)[: options.full_fits]
     trials = trials[kept]
     best, best_score = trials.copy(), np.full(len(trials), -np.inf)
     scales = sorted(options.refine.error_scales, reverse=True)
@@ -132,7 +152,7 @@ def _fit(objective, coarse, heading_prior, options, progress):
         trials, score = refine(objective, trials, scale, progress=part)
         better = score > best_score
         best[better], best_score[better] = trials[better], score[better]
-    best_score = best_score + weight * log_ratio(heading_prior, best[:, 0])
+    best_score = best_score + bonus(best)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept]

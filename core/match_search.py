@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import fft
-from scipy.ndimage import map_coordinates
 
+from . import imaging
 from .camera import Pose, project
 from .match_evidence import EDGE_ROW
 from .progress import SILENT, checkpoint
@@ -165,7 +165,7 @@ def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_de
     elevation = low + np.arange(first, last + 1) * step
     x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
     y = np.nan_to_num(y + EDGE_ROW, nan=-9)
-    seen = map_coordinates(evidence, [y, np.nan_to_num(x, nan=-9)], order=1, cval=0.0)
+    seen = imaging.sample_bilinear(evidence, np.nan_to_num(x, nan=-9), y)
     # d(column)/d(azimuth): every picture column counts the same.
     seen *= (np.radians(step) * camera.focal_px / np.cos(np.radians(offset)) ** 2 / width)[None, :]
     raster = np.zeros((len(elevation), count), np.float32)

@@ -12,6 +12,7 @@ from .match_robust import RobustOptions, match_robust
 from .model import Orientation, OrientedPhoto, SkylineEvidence
 from .prior import CameraPrior, HeadingPrior
 from .progress import SILENT, subtask
+from .ridges import RidgeOptions, occlusion_edges
 from .skyline_evidence import EvidenceOptions as SkylineOptions
 from .skyline_evidence import skyline_evidence
 from .skyline_paper import PaperSkylineOptions, extract_skyline_paper
@@ -31,7 +32,7 @@ class OrientOptions:
         'robust', or 'paper' for the published method with its own field of view, range and straight rays.
     compass : str
         'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
-    horizon, skyline, robust : options of the robust method's stages
+    horizon, ridges, skyline, robust : options of the robust method's stages
     paper_skyline, paper_match : options of the published method's stages
     paper_range_m : float
         The published search range [m].
@@ -40,6 +41,7 @@ class OrientOptions:
     method: str = "robust"
     compass: str = "ignore"
     horizon: HorizonOptions = field(default_factory=HorizonOptions)
+    ridges: RidgeOptions = field(default_factory=RidgeOptions)
     skyline: SkylineOptions = field(default_factory=SkylineOptions)
     robust: RobustOptions = field(default_factory=RobustOptions)
     paper_skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
@@ -114,6 +116,7 @@ def orient_photo(
     options=OrientOptions(),  # noqa: B008 - frozen
     hints=Hints(),  # noqa: B008 - frozen
     horizon=None,
+    ridges=None,
     position_error_m=None,
     progress=SILENT,
 ):
@@ -131,6 +134,8 @@ def orient_photo(
     hints : Hints
     horizon : HorizonProfile or None
         Of this observer, where a photo of the same station has it already.
+    ridges : RidgeEdges or None
+        The same of the crests inside the terrain.
     position_error_m : float or None
         Standard deviation of the position [m].
     progress : Progress
@@ -147,10 +152,16 @@ def orient_photo(
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
     if horizon is None:
         horizon = horizon_profile(terrain, observer, options.horizon_of_method, subtask(progress, 0.0, 0.4))
-    solve = _by_paper if options.method == "paper" else _robustly
     rest = subtask(progress, 0.4, 1.0)
     try:
-        orientation, skyline, evidence = solve(photo, prior, horizon, options, hints, position_error_m, rest)
+        if options.method == "paper":
+            orientation, skyline, evidence = _by_paper(photo, prior, horizon, options, rest)
+        else:
+            if ridges is None:
+                ridges = occlusion_edges(terrain, observer, options.ridges)
+            orientation, skyline, evidence = _robustly(
+                photo, prior, horizon, ridges, options, hints, position_error_m, rest
+            )
     except SkylineNotFoundError as error:
         orientation, skyline, evidence = Orientation("rejected", str(error)), None, None
     best = orientation.best
@@ -170,7 +181,7 @@ def orient_photo(
     )
 
 
-def _robustly(photo, prior, horizon, options, hints, position_error_m, progress):
+def _robustly(photo, prior, horizon, ridges, options, hints, position_error_m, progress):
     metadata = photo.metadata
     evidence = hints.evidence
     if evidence is None:
@@ -183,12 +194,13 @@ def _robustly(photo, prior, horizon, options, hints, position_error_m, progress)
         hints.heading,
         hints.landmarks,
         position_error_m,
+        ridges,
         subtask(progress, 0.4, 1.0),
     )
     return orientation, evidence.best, evidence
 
 
-def _by_paper(photo, prior, horizon, options, hints, position_error_m, progress):
+def _by_paper(photo, prior, horizon, options, progress):
     metadata = photo.metadata
     skyline = extract_skyline_paper(photo.pixels, options.paper_skyline)
     if metadata.focal_length_35mm is None:

@@ -1,0 +1,136 @@
+"""Second evidence: do the crests that the DEM shows inside the terrain lie on lines of the picture?
+
+At the right pose an inner crest falls on a row where the picture's edge is stronger than at most rows nearby; at a
+wrong pose on any row. The rank of the edge among the rows of its own neighbourhood is free of units, contrast and
+texture, and it is uniform where there is nothing to see. Measured means: 0.60 at right poses, 0.48 at wrong ones, on
+real and on rendered photographs alike.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import imaging
+from .match_geometry import project_trials
+
+
+@dataclass(frozen=True)
+class RidgeMatchOptions:
+    """What inner crests count.
+
+    Attributes
+    ----------
+    weight : float
+        Score per unit of mean rank above `neutral_rank`; 0 switches the crests off.
+    neutral_rank : float
+        Half-way between right and wrong poses.
+    enough_points : int
+        Crest points in the frame that give the full weight; fewer give less in proportion.
+    span_px : int
+        Half the neighbourhood in which an edge is ranked [pixels of the reduced picture].
+    windows_px : tuple of int
+        Heights within which the strongest edge counts, by the crest's own uncertainty.
+    clearance_px : float
+        Crests nearer to the horizon than this are its own evidence.
+    """
+
+    weight: float = 1.5
+    neutral_rank: float = 0.54
+    enough_points: int = 150
+    span_px: int = 20
+    windows_px: tuple = (3, 5, 9, 15)
+    clearance_px: float = 3.0
+
+
+class RidgeEvidence:
+    """Ranks of the picture's edges, and how well crests meet them.
+
+    Parameters
+    ----------
+    ridge_score : (h, w) array
+        Strength of the picture's edges.
+    edges : ridges.RidgeEdges
+    cell_m : float
+        Ground size of the DEM's cells [m].
+    terrain_error_cells : float
+        Error of a crest's height in cells.
+    options : RidgeMatchOptions
+    """
+
+    def __init__(self, ridge_score, edges, cell_m, terrain_error_cells=0.25, options=RidgeMatchOptions()):  # noqa: B008
+        self.options = options
+        self.shape = ridge_score.shape
+        order = np.argsort(edges.azimuth_deg, kind="stable")
+        self._azimuth = np.asarray(edges.azimuth_deg, float)[order]
+        self._elevation = np.asarray(edges.elevation_deg, float)[order]
+        self._error = terrain_error_cells * cell_m / np.asarray(edges.distance_m, float)[order]
+        self._importance = np.minimum(np.log(np.asarray(edges.jump, float)[order]), 1.0)
+        self._ranks = np.stack([local_rank(ridge_score, window, options.span_px) for window in options.windows_px])
+
+    def score(self, camera, trials, horizon_row_px):
+        """Score of each trial, to be added to the skyline's; 0 where no crest lies in the frame.
+
+        Parameters
+        ----------
+        camera : Camera
+            Of the reduced picture.
+        trials : (K, 5) array
+        horizon_row_px : (K, w) array
+            Rows of the horizon in every column of the picture, NaN where it is out of sight.
+        """
+        return np.array([self._score_one(camera, trial[None], rows) for trial, rows in zip(trials, horizon_row_px)])
+
+    def _score_one(self, camera, trial, horizon_row_px):
+        height, width = self.shape
+        focal = camera.focal_px * np.exp(trial[0, 3])
+        half = np.degrees(np.arctan(np.hypot(width, height) / 2 / focal)) + 2
+        near = self._within(trial[0, 0], half)
+        x, y = project_trials(camera, trial, self._azimuth[near], self._elevation[near])
+        x, y = x[0], y[0]
+        tolerance = np.hypot(1.0, self._error[near] * focal)
+        largest = self.options.windows_px[-1] / 2
+        with np.errstate(invalid="ignore"):
+            inside = (x >= 0) & (x <= width - 1) & (y >= 0) & (y <= height - 1) & (tolerance <= largest)
+        column, row = np.rint(x[inside]).astype(int), np.rint(y[inside]).astype(int)
+        below = row > np.nan_to_num(horizon_row_px[column], nan=-np.inf) + self.options.clearance_px
+        column, row = column[below], row[below]
+        if len(row) == 0:
+            return 0.0
+        limits = np.array(self.options.windows_px[:-1]) / 2
+        tier = np.searchsorted(limits, tolerance[inside][below])
+        rank = np.average(self._ranks[tier, row, column], weights=self._importance[near][inside][below])
+        share = min(1.0, len(row) / self.options.enough_points)
+        return float(self.options.weight * share * (rank - self.options.neutral_rank))
+
+    def _within(self, heading_deg, half_deg):
+        """Indices of crests within `half_deg` of a heading, across north."""
+        start = (heading_deg - half_deg) % 360
+        low, high = np.searchsorted(self._azimuth, [start, start + 2 * half_deg])
+        indices = np.arange(low, high)
+        over = start + 2 * half_deg - 360
+        if over > 0:
+            indices = np.concatenate([indices, np.arange(np.searchsorted(self._azimuth, over))])
+        return indices
+
+
+def local_rank(strength, window_px, span_px):
+    """Share of the rows within `span_px` of a pixel whose edges, strongest in `window_px`, are weaker than its own.
+
+    Returns
+    -------
+    (h, w) float32 array
+        0 to 1; rows that would overlap the pixel's own window are not compared.
+    """
+    strongest = imaging.maximum_down(np.asarray(strength, np.float32), window_px)
+    height = strongest.shape[0]
+    weaker = np.zeros(strongest.shape, np.float32)
+    compared = np.zeros((height, 1), np.float32)
+    for shift in range(window_px // 2 + 1, span_px + 1):
+        upper, lower = strongest[: height - shift], strongest[shift:]
+        weaker[shift:] += upper < lower
+        weaker[: height - shift] += lower < upper
+        compared[shift:] += 1
+        compared[: height - shift] += 1
+    return weaker / np.maximum(compared, 1)
