@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import traceback
 from pathlib import Path
 
-from ..core.errors import Cancelled
+from ..core.errors import Cancelled, TerrainError
 from ..core.horizon import HorizonOptions
 from ..core.progress import checkpoint, subtask
 from . import parameters as shared
@@ -105,6 +106,10 @@ def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
         part = subtask(progress, index / len(requests), (index + 1) / len(requests))
         try:
             oriented = without_photo() if request is None else orient_request(request, dem, options, cache, part)
+        except TerrainError:
+            raise
+        except Exception:  # our own fault, but no reason to lose the other photographs
+            oriented = unforeseen(request, feedback)
         except Cancelled:
             feedback.pushWarning(
                 tr("Cancelled after {done} of {count} photos.").format(done=index, count=len(requests))
@@ -115,6 +120,15 @@ def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
             warn(feedback, name, answer.message)
         yield oriented
     checkpoint(progress, 1.0)
+
+
+def unforeseen(request, feedback):
+    """Answer for a photo on which the program itself failed; the log gets the details."""
+    from ..core.model import Orientation, OrientedPhoto
+
+    feedback.pushDebugInfo(traceback.format_exc())
+    text = tr("An unforeseen fault of the program stopped this photo. Please report it with the log's details.")
+    return OrientedPhoto(request.path, Orientation("failed", text))
 
 
 def without_photo():

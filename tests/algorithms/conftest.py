@@ -35,6 +35,7 @@ class Listener(QgsProcessingFeedback):
     def __init__(self, cancel_at=None):
         super().__init__(False)
         self.infos, self.warnings, self.errors, self.texts, self.fractions = [], [], [], [], []
+        self.details = []
         self.cancel_at = cancel_at
         self.progressChanged.connect(self._moved)
 
@@ -45,6 +46,9 @@ class Listener(QgsProcessingFeedback):
 
     def pushInfo(self, info):
         self.infos.append(info)
+
+    def pushDebugInfo(self, info):
+        self.details.append(info)
 
     def pushWarning(self, warning):
         self.warnings.append(warning)

@@ -245,3 +245,32 @@ def test_a_layer_without_the_path_field_is_refused(run, scene):
     layer = points([("something", str)], [(scene.positions["west"], ["x"])])
     with pytest.raises(QgsProcessingException, match="no field"):
         run("orientphotos", {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:"})
+
+
+def test_a_fault_of_our_own_costs_one_photo_and_is_logged(run, scene, photo_layer, monkeypatch):
+    from skyline_viewshed.core import batch
+    from skyline_viewshed.core.model import Orientation, OrientedPhoto
+
+    def shaky(request, *others):
+        if request.path.endswith("north.jpg"):
+            raise ZeroDivisionError("a bug")
+        return OrientedPhoto(request.path, Orientation("rejected", "fine"))
+
+    monkeypatch.setattr(batch, "orient_request", shaky)
+    results, feedback = run("orientphotos", {"INPUT": photo_layer, "DEM": str(scene.dem), "OUTPUT": "memory:"})
+    found = {f["filename"]: f for f in results["OUTPUT"].getFeatures()}
+    assert found["north"]["status"] == "failed" and "report it" in found["north"]["message"]
+    assert found["west"]["status"] == "rejected"
+    assert any("ZeroDivisionError" in text for text in feedback.details)
+
+
+def test_a_fault_of_the_dem_ends_the_batch(run, scene, photo_layer, monkeypatch):
+    from skyline_viewshed.core import batch
+    from skyline_viewshed.core.errors import UnusableDemError
+
+    def broken(*arguments):
+        raise UnusableDemError("The DEM is damaged.")
+
+    monkeypatch.setattr(batch, "orient_request", broken)
+    with pytest.raises(QgsProcessingException, match="damaged"):
+        run("orientphotos", {"INPUT": photo_layer, "DEM": str(scene.dem), "OUTPUT": "memory:"})
