@@ -122,13 +122,23 @@ class Summitry:
     def shown(self, photo, options, all_round=False):
         """Summits in a photo's frame, most important first."""
         from ..core.annotate import NamedPoint
+        from ..core.peaks import own_ground_m
         from ..core.projecting import OUTSIDE, STATE_NAMES, project_places
 
         summits = self.around(photo.view, options.max_distance_m)
         if not summits:
             return []
         east, north, height = (np.array([summit[k] for summit in summits], float) for k in (1, 2, 3))
-        seen = project_places(self.terrain, photo.view, east, north, height, options=options, all_round=all_round)
+        seen = project_places(
+            self.terrain,
+            photo.view,
+            east,
+            north,
+            height,
+            options=options,
+            all_round=all_round,
+            own_ground_m=own_ground_m(photo.view.frame),
+        )
         found = []
         for k, (name, _, _, tall, top, moved, prominence) in enumerate(summits):
             if seen.state[k] == OUTSIDE:

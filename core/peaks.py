@@ -22,6 +22,14 @@ from .terrain import Window
 HEIGHT_WEIGHT = 3.0
 """A metre of height tells summits apart as well as this many metres of place."""
 
+OWN_CELLS, OWN_M = 3.0, 100.0
+"""Ground this near to a summit, in cells or metres whichever is more, belongs to its top."""
+
+
+def own_ground_m(frame):
+    """How near ground belongs to a summit on this DEM [m]; see `projecting.project_places`."""
+    return max(OWN_CELLS * frame.cell_m, OWN_M)
+
 
 @dataclass(frozen=True, eq=False)
 class Summits:

@@ -96,6 +96,9 @@ def project_places(
     options : SightOptions or None
     all_round : bool
         Ignore the picture's frame: nothing is `OUTSIDE` for its direction.
+    own_ground_m : float or None
+        Ground this near before a place is its own and does not hide it [m]; None means one cell. A summit wants
+        more: the edge of its top is still the summit.
     progress : Progress
 
     Returns
@@ -116,15 +119,14 @@ def project_places(
     state[near_enough & ahead & ~np.isfinite(shown)] = UNKNOWN
     asked &= np.isfinite(shown)
     top = np.fmax(given, surface) + height_above_m
-    state[asked] = _sight(terrain, view, east_m[asked], north_m[asked], top[asked], options, progress)
+    state[asked] = _sight(terrain, view, east_m[asked], north_m[asked], top[asked], options, own_ground_m, progress)
     return ProjectedPlaces(state, x, y, azimuth, elevation, distance, shown)
 
 
-def _sight(terrain, view, east_m, north_m, top_m, options, progress):
+def _sight(terrain, view, east_m, north_m, top_m, options, own_ground_m, progress):
     """State of places known to be on the picture."""
     azimuth, elevation, distance = view.direction_of(east_m, north_m, top_m)
-    # The last cell before a place is its own ground, and it cannot be said to hide it.
-    end = distance - view.frame.cell_m
+    end = distance - (view.frame.cell_m if own_ground_m is None else own_ground_m)
     hits = cast_rays(terrain, view.frame, view.eye_elevation_m, azimuth, elevation, options, progress, end_m=end)
     return np.select([hits.state == GROUND, hits.state == VOID], [HIDDEN, UNKNOWN], VISIBLE)
 
