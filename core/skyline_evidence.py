@@ -23,9 +23,16 @@ from .skyline_colour import learn_sky
 from .skyline_crop import find_crop
 from .skyline_features import boundary_features
 from .skyline_seam import best_line, row_marginals
+from .skyline_windows import means_above_below
 
 WEIGHTS_PATH = Path(__file__).with_name("skyline_weights.json")
 SMALLEST_PX = 24
+
+BELIEVABLE = 0.1
+"""Below this chance of being right a column of the best line is masked."""
+
+TOP_ROWS = 2
+"""A line in the first rows is the frame's own edge, not a skyline."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +105,15 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
     score = log_probability(boundary_features(appearance, ratio))
     probability = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
     line = best_line(score, options.seam_cost_per_px)
-    return _assemble(probability, line, ratio, appearance, crop, (width_px or width, height_px or height))
+    return SkylineEvidence(
+        _framed(_without_cut_ridges(probability), crop, reduced.shape),
+        _skyline(line, probability, crop, reduced.shape),
+        width_px or width,
+        height_px or height,
+        crop,
+        _framed(ratio, crop, reduced.shape, 0),
+        _framed(_ridges(appearance, probability), crop, reduced.shape, 0),
+    )
 
 
 def log_probability(features):
@@ -121,22 +136,42 @@ def _reduce(pixels, work_px):
     return imaging.shrink(pixels[..., :3], max(1, round(width * factor)), max(1, round(height * factor)))
 
 
-def _assemble(probability, line, ratio, appearance, crop, full_size):
-    """Put the inner picture's results back into the frame that was cut off."""
-    top, bottom, left, right = crop
-    inner_height, inner_width = ratio.shape
-    height, width = inner_height + top + bottom, inner_width + left + right
-    inside = (slice(top, top + inner_height), slice(left, left + inner_width))
-    whole = np.full((height, width), 1 / height, np.float32)
-    whole[:, inside[1]] = 0
-    whole[inside] = probability
-    sky_score, ridge_score = np.zeros((height, width), np.float32), np.zeros((height, width), np.float32)
-    sky_score[inside] = ratio
-    ridge_score[inside] = appearance.edges[1.6]
+def _without_cut_ridges(probability):
+    """Spread the chance that the ridge leaves the frame (row 0) evenly: such a column says nothing about a row."""
+    spread = probability + probability[:1] / (len(probability) - 1)
+    spread[0] = 0
+    return spread
+
+
+def _skyline(line, probability, crop, shape):
+    """The best line with, per column, the probability that it is right to about half a per cent of the height."""
+    top, _, left, _ = crop
+    inner_height, inner_width = probability.shape
+    reach = max(2, round(0.005 * inner_height))
+    total = np.vstack([np.zeros(inner_width), probability.cumsum(0)])
     columns = np.arange(inner_width)
-    near = sum(probability[np.clip(line + step, 0, inner_height - 1), columns] for step in (-2, -1, 0, 1, 2))
-    row_px = np.interp(np.arange(width), columns + left, line + float(top))
-    confidence = np.zeros(width)
-    confidence[inside[1]] = np.clip(near, 0, 1)
-    best = Skyline(row_px, confidence, width, height)
-    return SkylineEvidence(whole, best, *full_size, crop, sky_score, ridge_score)
+    low, high = np.maximum(line - reach, 0), np.minimum(line + reach + 1, inner_height)
+    inside = total[high, columns] - total[low, columns]
+    believed = (inside >= BELIEVABLE) & (line > TOP_ROWS) & (probability[0] < 0.5)
+    row_px = np.interp(np.arange(shape[1]), columns + left, line + float(top))
+    confidence = np.zeros(shape[1])
+    confidence[left : left + inner_width] = np.where(believed, np.clip(inside, 0, 1), 0)
+    return Skyline(row_px, confidence, shape[1], shape[0])
+
+
+def _ridges(appearance, probability):
+    """Long edges that stand out from their surroundings, where the picture is likely below the skyline."""
+    strength = np.expm1(appearance.long_edges[6])
+    above, below = means_above_below(strength, 24)
+    standing_out = np.log((strength + 0.2) / ((above + below) / 2 + 0.2))
+    return np.maximum(standing_out, 0) * np.clip(probability.cumsum(0), 0, 1)
+
+
+def _framed(inner, crop, shape, rows_outside=None):
+    """Put a map back into the frame that was cut off: flat probability beside it, 0 above and below it."""
+    top, bottom, left, right = crop
+    height, width = shape[:2]
+    whole = np.full((height, width), 1 / height if rows_outside is None else rows_outside, np.float32)
+    whole[:, left : width - right] = 0
+    whole[top : height - bottom, left : width - right] = inner
+    return whole
