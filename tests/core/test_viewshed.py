@@ -8,8 +8,8 @@ from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px, in_frame
 from skyline_viewshed.core.errors import Cancelled, ObserverOutsideDemError
 from skyline_viewshed.core.frame import tabulate_frame
 from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
-from skyline_viewshed.core.terrain import ArrayTerrain, Observer
-from skyline_viewshed.core.viewshed import FullCircle, PhotoFrame, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.terrain import ArrayTerrain, Observer, Window
+from skyline_viewshed.core.viewshed import FullCircle, PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
 
 UNKNOWN = 255
 
@@ -267,6 +267,20 @@ def test_a_sink_takes_the_same_result_piece_by_piece():
     assert np.array_equal(made[0].whole, viewshed(terrain, observer).values)
 
 
+def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
+    ground = fractal(300, seed=13)
+    ground[60:70, 100:111] = np.nan
+    terrain, observer = stand(ground, 30.0, 150.2, 161, 20.0)
+    options, sinks = ViewshedOptions(max_distance_m=3170.0), []
+    whole = viewshed(terrain, observer, Wedge(340.0, 130.0), options)
+    viewshed(terrain, observer, Wedge(340.0, 130.0), options, sink=lambda w: sinks.append(PackedSink(w)) or sinks[0])
+    window = whole.window
+    assert np.array_equal(sinks[0].read(window), whole.values)
+    part = Window(window.row + 7, window.col + 5, 20, 31)
+    assert np.array_equal(sinks[0].read(part), whole.values[7:27, 5:36])
+    assert set(np.unique(whole.values)) == {0, 1, UNKNOWN}
+
+
 def test_dropping_hidden_blocks_changes_nothing(monkeypatch):
     from skyline_viewshed.core import viewshed_blocks
 
@@ -409,7 +423,7 @@ def test_in_any_crs_cells_agree_with_sight_lines_over_the_true_ground(views, nam
     keep = (np.hypot(east, north) < 10_900) & (np.hypot(east, north) > 200)
     azimuth = np.degrees(np.arctan2(east, north))
     keep &= np.abs((azimuth - 10 + 180) % 360 - 180) < 99.9
-    from skyline_viewshed.core.terrain import Window, bilinear
+    from skyline_viewshed.core.terrain import bilinear
 
     ground = dem.read(Window(0, 0, *dem.shape)).astype(float)
     agree, seen = [], []
@@ -462,7 +476,6 @@ def test_close_to_a_pole(tmp_path, crs, cell, centre):
 def test_every_elevation_model_of_the_zoo_has_a_viewshed(shared_data, name, position):
     pytest.importorskip("osgeo.gdal")
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.terrain import Window
 
     dem = open_dem(str(shared_data / "dem" / name))
     if position is None:
