@@ -77,8 +77,8 @@ class ProjectedRun:
 
 
 def project_places(
-    terrain, view, east_m, north_m, elevation_m=None, *, height_above_m=0.0, options=None, all_round=False, own_ground_m=None,
-    progress=SILENT,
+    terrain, view, east_m, north_m, elevation_m=None, *, height_above_m=0.0, options=None, all_round=False,
+    own_ground_m=None, progress=SILENT,
 ):  # fmt: skip
     """Project places into the picture.
 

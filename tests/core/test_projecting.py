@@ -88,9 +88,10 @@ def test_a_published_height_above_or_below_the_dem_does_not_hide_a_summit():
 
 def test_points_and_viewshed_give_one_answer():
     terrain = make_mountains(5, MountainOptions(size=256))
-    place = terrain.position_of(128.3, 170.6)
+    row, col = np.unravel_index(np.argmax(terrain.elevation_m[100:156, 100:156]), (56, 56))
+    place = terrain.position_of(100.3 + col, 100.6 + row)
     camera = Camera(800, 600, focal_of_fov_px(800, 60))
-    observer, pose = Observer(*place, 30.0), Pose(20.0, -3.0, 2.0)
+    observer, pose = Observer(*place, 30.0), Pose(20.0, -12.0, 2.0)
     seen = viewshed(terrain, observer, PhotoFrame(camera, pose), ViewshedOptions(max_distance_m=6000.0))
     row, col = np.nonzero(np.ones(seen.values.shape, bool))
     keep = np.random.default_rng(0).choice(row.size, 4000, replace=False)
