@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scenes import small_mountains
-from skyline_viewshed.core.mountains import MountainOptions, drainage, make_mountains, roughness
+from skyline_viewshed.core.mountains import MountainOptions, make_mountains, roughness
 
 
 def test_a_seed_gives_one_range_and_another_seed_another():
@@ -38,18 +38,6 @@ def test_valleys_drain():
     terrain = small_mountains().elevation_m.astype(float)[::3, ::3]
     shuffled = np.random.Generator(np.random.PCG64(1)).permutation(terrain.ravel()).reshape(terrain.shape)
     assert hollows(terrain) < 0.03 < hollows(shuffled)
-
-
-def test_drainage_of_a_plane_runs_straight_down_and_leaves_a_pit_by_its_lowest_rim():
-    plane = np.add.outer(np.arange(6.0), np.zeros(7)) + 0.01 * np.arange(7)
-    receiver, length = drainage(plane)
-    assert receiver[3 * 7 + 3] in (2 * 7 + 3, 2 * 7 + 2)
-    assert (receiver[:7] == 42).all() and receiver[42] == 42
-    pit = np.full((5, 5), 9.0)
-    pit[2, 2], pit[2, 3] = 1.0, 4.0
-    receiver, length = drainage(pit)
-    assert receiver[2 * 5 + 2] == 2 * 5 + 3
-    assert length[2 * 5 + 2] == 1.0
 
 
 def test_roughness_of_a_window_is_the_same_as_in_the_whole():
