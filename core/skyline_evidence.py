@@ -54,6 +54,8 @@ class EvidenceOptions:
         Probability of a jump to any row between neighbouring columns.
     seam_cost_per_px : float
         The same for the single best line, in units of the untempered score per row.
+    weights : dict of str to float, optional
+        In place of the shipped table: weight per feature name.
     """
 
     work_px: int = 512
@@ -62,6 +64,7 @@ class EvidenceOptions:
     step_cost_per_px: float = 0.4
     jump_share: float = 0.01
     seam_cost_per_px: float = 0.5
+    weights: dict | None = None
 
     def __post_init__(self):
         if self.work_px < 64 or self.colour_passes < 1:
@@ -102,7 +105,7 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         raise SkylineNotFoundError("The picture has a single colour.")
     appearance = measure(inner)
     ratio = learn_sky(appearance, options.colour_passes)
-    score = log_probability(boundary_features(appearance, ratio))
+    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     probability = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
     line = best_line(score, options.seam_cost_per_px)
     return SkylineEvidence(
@@ -116,15 +119,16 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
     )
 
 
-def log_probability(features):
-    """Log of p(row | column) from each column's own features, (H, W), by the shipped weights."""
-    score = sum(np.float32(weight) * features[name] for name, weight in _weights().items())
+def log_probability(features, weights):
+    """Log of p(row | column) from each column's own features, (H, W): weighted sum and softmax over the rows."""
+    score = sum(np.float32(weight) * features[name] for name, weight in weights.items())
     score = score - score.max(0)
     return score - np.log(np.exp(score).sum(0))
 
 
 @lru_cache(maxsize=1)
-def _weights():
+def shipped_weights():
+    """The table that `tools/fit_skyline.py` wrote: weight per feature name."""
     return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
 
 
