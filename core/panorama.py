@@ -17,6 +17,8 @@ from .surface import sample_pixels
 from .terrain import eye_elevation_m
 
 RAYS_AT_ONCE = 120
+NEAR_SHARE = 0.01
+"""Samples are never farther apart than this share of their distance."""
 MAX_CLIMB = 8.0
 """Steepest outline that is followed: elevation steps per azimuth step (83 degrees)."""
 MAX_DISTANCE_JUMP = 0.2
@@ -130,15 +132,14 @@ def outline_panorama(terrain, observer, options=None, progress=SILENT):
 
 
 def sample_distances_m(cell_m, options):
-    """Distances along a ray: half a cell apart near by, then about half a step of azimuth."""
+    """Distances along a ray: a hundredth of the way apart, until that is half a cell or half a step of azimuth."""
     growth = np.radians(options.step_deg) / 2
-    start, end = options.min_distance_m, options.max_distance_m
-    turn = max(start, 0.5 * cell_m / growth)
-    near = np.arange(start, min(turn, end), 0.5 * cell_m)
-    if turn >= end:
-        return near
-    count = int(np.ceil(np.log(end / turn) / np.log1p(growth)))
-    return np.concatenate([near, turn * (1 + growth) ** np.arange(count + 1)])
+    distances, distance = [], options.min_distance_m
+    while distance < options.max_distance_m:
+        distances.append(distance)
+        # Near by, a crest between two samples would be missed by whole degrees.
+        distance += min(max(0.5 * cell_m, growth * distance), NEAR_SHARE * distance)
+    return np.array([*distances, options.max_distance_m])
 
 
 def _ridges(elevation_deg, distance_m, cell_m, options):
