@@ -71,6 +71,10 @@ bench-skyline: setup ## Skylines against masks: DATA=folder
 bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes
 	@$(PYTHON) benchmarks/bench_simulated.py
 
+.PHONY: bench-monoplot
+bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
+	@$(PYTHON) benchmarks/bench_monoplot.py --scenes $(or $(SCENES),60)
+
 .PHONY: bench-speed
 bench-speed: setup ## Horizon and viewshed against their peers
 	@$(PYTHON) benchmarks/bench_speed.py
@@ -84,12 +88,13 @@ models: setup ## Rebuild models/*.model3 from tools/make_models.py
 	@$(PYTHON) tools/make_models.py
 
 .PHONY: zip
-zip: ## Make build/skyline_viewshed.zip, ready for the plugin site
-	@mkdir -p build && rm -f build/skyline_viewshed.zip
-	@git archive --format=zip --prefix=skyline_viewshed/ -o build/skyline_viewshed.zip HEAD && echo build/skyline_viewshed.zip
+zip: setup ## Make build/skyline_viewshed.zip from the last commit, ready for the plugin site
+	@rm -f build/skyline_viewshed.zip && $(PYTHON) tools/make_translations.py --compile-only > build/translations.log
+	@git archive --format=zip --prefix=skyline_viewshed/i18n/ $(foreach file,$(basename $(wildcard i18n/*.ts)),--add-file=$(file).qm) \
+		--prefix=skyline_viewshed/ -o build/skyline_viewshed.zip HEAD && echo build/skyline_viewshed.zip
 
 .PHONY: check-package
-check-package: setup zip ## Hold the zip to the plugin site's rules and run it from an empty profile
+check-package: zip ## Hold the zip to the plugin site's rules and run it from an empty profile
 	@$(PYTHON) tools/check_package.py build/skyline_viewshed.zip
 
 .PHONY: test-matrix
