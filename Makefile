@@ -87,6 +87,14 @@ env: setup ## Print the variables with which a plain qgis_process sees the plugi
 models: setup ## Rebuild models/*.model3 from tools/make_models.py
 	@$(PYTHON) tools/make_models.py
 
+.PHONY: docs
+docs: setup ## Renew what docs/ takes from the code: algorithm reference, tables of fields
+	@$(PYTHON) tools/make_docs.py
+
+.PHONY: screenshots
+screenshots: setup ## Renew docs/images from the demo, in a QGIS of its own under Xvfb
+	@tools/screenshots/run.sh
+
 .PHONY: zip
 zip: setup ## Make build/skyline_viewshed.zip from the last commit, ready for the plugin site
 	@rm -f build/skyline_viewshed.zip && $(PYTHON) tools/make_translations.py --compile-only > build/translations.log
