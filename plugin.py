@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QCoreApplication, QLocale, QSettings, QTranslator
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 from .processing_provider.provider import SkylineViewshedProvider
 
@@ -57,8 +57,7 @@ class SkylineViewshedPlugin:
             self.translator = None
 
     def _install_translation(self):
-        locale = QSettings().value("locale/userLocale", QLocale().name()) or "en"
-        compiled = TRANSLATIONS / f"skyline_viewshed_{str(locale)[:2]}.qm"
+        compiled = TRANSLATIONS / f"skyline_viewshed_{QgsApplication.locale()[:2]}.qm"
         if compiled.exists():
             self.translator = QTranslator()
             self.translator.load(str(compiled))

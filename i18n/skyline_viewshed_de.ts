@@ -1,0 +1,2520 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>SkylineViewshed</name>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: geotagged photos to viewsheds</source>
+        <translation>Modell: georeferenzierte Fotos zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: recorded headings to viewsheds</source>
+        <translation>Modell: aufgezeichnete Blickrichtungen zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: land cover that photos show</source>
+        <translation>Modell: Landbedeckung, die Fotos zeigen</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Photographs</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Terrain and visibility</source>
+        <translation>Gelände und Sichtbarkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>All in one</source>
+        <translation>Alles in einem</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>From the photo to the map</source>
+        <translation>Vom Foto zur Karte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Checks and simulation</source>
+        <translation>Prüfung und Simulation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Abgebrochen. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
+        <translation>{name} kann nicht geschrieben werden: In {folder} dürfen Sie nicht schreiben, oder es ist kein Ordner.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Fotopunkt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Zellen des Gebiets, die es zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Anteil des Gebiets, den es zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Platz unter den wenigsten nötigen Fotos; NULL: nicht nötig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Zellen, die es zu den zuvor gewählten hinzufügt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Anteil des Gebiets, den die Auswahl bis hierher zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Beste Bodenauflösung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Directed viewshed</source>
+        <translation>Gerichtetes Sichtfeld</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>viewshed,visibility,photo,field of view,frustum,wedge,dem,sector</source>
+        <translation>Sichtfeld,Sichtbarkeit,Sichtbarkeitsanalyse,Foto,Bildwinkel,Sichtpyramide,Sektor,DGM,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Ground that oriented photographs show: cumulative raster and one polygon per photo</source>
+        <translation>Gelände, das orientierte Fotos zeigen: Summenraster und ein Polygon je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
+        <translation>Beurteilt jede Zelle des Geländemodells in Reichweite: Ist sie zu sehen, und liegt sie im Bild? &lt;i&gt;Bildausschnitt&lt;/i&gt; verwendet Blickrichtung, Nick- und Rollwinkel und beide Bildwinkel; &lt;i&gt;Blicksektor&lt;/i&gt; nur Blickrichtung und horizontalen Bildwinkel; &lt;i&gt;Vollkreis&lt;/i&gt; nichts davon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
+        <translation>Das Raster liegt auf dem Gitter des DGM und zählt die Fotos, die eine Zelle zeigen; NoData, wo das unbekannt ist. Die Polygone tragen die Fläche auf dem Ellipsoid (m²) und die größte Entfernung (m). Azimute sind geographisch, Entfernungen Meter am Boden, in jedem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Oriented photo points</source>
+        <translation>Orientierte Fotopunkte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the camera's elevation (m)</source>
+        <translation>Feld mit der Höhe der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolute Höhe im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Sichtfeld</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Sichtbares Gelände</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folder for one raster per photo</source>
+        <translation>Ordner für ein Raster je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>GeoTIFFs: 1 seen, 0 not seen, nodata unknown.</source>
+        <translation>GeoTIFFs: 1 sichtbar, 0 nicht sichtbar, NoData unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of viewsheds</source>
+        <translation>Anzahl der Sichtfelder</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the heading (°)</source>
+        <translation>Feld mit der Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>True, clockwise from north.</source>
+        <translation>Geographisch, im Uhrzeigersinn von Nord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the horizontal field of view (°)</source>
+        <translation>Feld mit dem horizontalen Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Of the upright picture.</source>
+        <translation>Des aufrecht stehenden Bildes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the pitch (°)</source>
+        <translation>Feld mit dem Nickwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Up is positive. NULL: wedge, not frame.</source>
+        <translation>Nach oben positiv. NULL: Sektor statt Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the roll (°)</source>
+        <translation>Feld mit dem Rollwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Right side down is positive. NULL: 0.</source>
+        <translation>Positiv, wenn die rechte Seite tiefer liegt. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the vertical field of view (°)</source>
+        <translation>Feld mit dem vertikalen Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>NULL: wedge, not frame.</source>
+        <translation>NULL: Sektor statt Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Drape photos over the terrain</source>
+        <translation>Fotos über das Gelände legen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>orthophoto,drape,rectify,texture,mosaic,photo,rgba,ground sampling distance</source>
+        <translation>Orthofoto,drapieren,entzerren,Textur,Mosaik,Foto,RGBA,Bodenauflösung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Colour raster on the DEM's grid: each cell as the photo shows it, transparent where hidden</source>
+        <translation>Farbraster auf dem Gitter des DGM: jede Zelle, wie das Foto sie zeigt, durchsichtig, wo sie verdeckt ist</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
+        <translation>Jede Zelle, die ein Foto zeigt, erhält die Farbe der Pixel, die sie zeigen; der Rest ist durchsichtig. Mehrere Fotos werden überblendet: Das mit der feineren Ansicht einer Zelle überwiegt, und jedes läuft zu seinen Rändern hin aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
+        <translation>Das zweite Raster gibt die Bodenauflösung des besten Fotos in Metern je Pixel: Kanal 1 quer zur Sichtlinie, Kanal 2 längs auf dem Hang; dieser Wert ist groß, wo der Blick das Gelände streift. Auch Bäume und Menschen im Bild werden auf das Gelände gelegt: Das DGM kennt sie nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Cells per side of a DEM cell</source>
+        <translation>Zellen je Seite einer DGM-Zelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>1: the DEM's own grid. 4: sixteen times as many cells, for a photo finer than the DEM.</source>
+        <translation>1: das Gitter des DGM. 4: sechzehnmal so viele Zellen, für ein Foto, das feiner ist als das DGM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Minimum distance (m)</source>
+        <translation>Mindestentfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground nearer than this is left out.</source>
+        <translation>Näheres Gelände bleibt weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Draped photos</source>
+        <translation>Auf das Gelände gelegte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground sampling distance</source>
+        <translation>Bodenauflösung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of photos draped</source>
+        <translation>Anzahl der aufgelegten Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of cells with colour</source>
+        <translation>Anzahl der Zellen mit Farbe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The point names no photo.</source>
+        <translation>Der Punkt nennt kein Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Kein Foto zeigt Gelände dieses DGM; es gibt nichts aufzulegen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>Das Geländemodell kann nicht gelesen werden. Wählen Sie eine Rasterdatei mit Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>Das Geländemodell kommt aus einer {provider}-Quelle. Speichern Sie es zuerst als GeoTIFF und wählen Sie dieses.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Extract skyline</source>
+        <translation>Horizontlinie ausziehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>photo,skyline,horizon,sky,segmentation,ridge,overlay</source>
+        <translation>Foto,Horizontlinie,Horizont,Himmel,Segmentierung,Grat,Überlagerung,skyline</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Boundary between sky and terrain in photographs, with a confidence per column</source>
+        <translation>Grenze zwischen Himmel und Gelände in Fotos, mit einer Zuverlässigkeit je Spalte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
+        <translation>Schreibt eine Zeile je Bildspalte: &lt;b&gt;column&lt;/b&gt; und &lt;b&gt;row&lt;/b&gt; sind Pixel des vollen, aufrecht stehenden Bildes (das erste Pixel ist 0, row = erstes Geländepixel), &lt;b&gt;confidence&lt;/b&gt; reicht von 0 (keine glaubhafte Grenze, interpoliert) bis 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
+        <translation>Wo die automatische Horizontlinie falsch ist, berichtigen Sie die Tabelle von Hand und geben Sie sie &lt;i&gt;Fotos orientieren&lt;/i&gt; als &lt;i&gt;Gezeichnete Horizontlinien&lt;/i&gt;. Die Überlagerungen sind PNG-Bilder zur Beurteilung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Skylines</source>
+        <translation>Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Folder of overlays</source>
+        <translation>Ordner für Überlagerungen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One PNG per photograph with its skyline.</source>
+        <translation>Ein PNG je Foto mit seiner Horizontlinie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Number of skylines</source>
+        <translation>Anzahl der Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Column (px, from the left)</source>
+        <translation>Spalte (px, von links)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Row (px, from the top)</source>
+        <translation>Zeile (px, von oben)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Confidence (0 to 1)</source>
+        <translation>Zuverlässigkeit (0 bis 1)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>GPS-Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Aufgezeichnete Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Drehung laut EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Länge (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Breite (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Aufnahmezeit (Ortszeit der Kamera)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Kleinbildäquivalente Brennweite (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Horizontaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Vertikaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Breite des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Höhe des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Bezug der aufgezeichneten Blickrichtung (T geographisch, M magnetisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Horizontaler GPS-Fehler (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Wählen Sie einen Ordner mit Fotos oder einen Layer mit Fotopunkten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Wählen Sie entweder einen Ordner mit Fotos oder einen Layer mit Fotopunkten, nicht beides.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>Den Ordner {folder} gibt es nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon profile</source>
+        <translation>Horizontprofil</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>horizon,skyline,panorama,sky view factor,shading,elevation angle,dem</source>
+        <translation>Horizont,Horizontlinie,Panorama,Himmelssichtfaktor,Abschattung,Höhenwinkel,DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle and distance of the horizon around points, and their sky view factor</source>
+        <translation>Höhenwinkel und Entfernung des Horizonts rund um Punkte und ihr Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
+        <translation>Für jeden Punkt und jedes Azimut: der Höhenwinkel des Horizonts, wie weit entfernt er ist und wo. Azimute sind geographisch, Entfernungen Meter am Boden in jedem Koordinatensystem des DGM; Erdkrümmung und Refraktion sind berücksichtigt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; ist wahr, wo das Geländemodell vor der Suchweite endet und dahinter höheres Gelände stehen könnte. &lt;b&gt;svf&lt;/b&gt; ist der Himmelssichtfaktor des Ausgangspunkts (1 = freier Himmel).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the eye stands, in any coordinate system.</source>
+        <translation>Wo das Auge steht, in jedem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth step (°)</source>
+        <translation>Azimutschritt (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Spacing of the directions; it is rounded so that it divides the circle.</source>
+        <translation>Abstand der Richtungen; er wird so gerundet, dass er den Kreis teilt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon</source>
+        <translation>Horizont</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Number of points with a horizon</source>
+        <translation>Anzahl der Punkte mit Horizont</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The point has no usable position.</source>
+        <translation>Der Punkt hat keine brauchbare Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Source point</source>
+        <translation>Ausgangspunkt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Azimuth (° from true north)</source>
+        <translation>Azimut (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle of the horizon (°)</source>
+        <translation>Höhenwinkel des Horizonts (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Distance of the horizon (m)</source>
+        <translation>Entfernung des Horizonts (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Cut off by the DEM's edge</source>
+        <translation>Am Rand des DGM abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Sky view factor of the source point</source>
+        <translation>Himmelssichtfaktor des Ausgangspunkts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Kartenobjekt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (sichtbar), hidden (verdeckt), outside (außerhalb des Bildes), unknown (unbekannt)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Spalte (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Zeile (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Entfernung von der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Höhenwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Linie oder Ring des Objekts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Beginnt bei diesem Anteil seiner Länge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Endet bei diesem Anteil seiner Länge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Kleinste Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Größte Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Sichtbarer Anteil des ganzen Objekts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Die Kartenobjekte sind leer oder liegen, wohin das KBS des DGM nicht reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Import mountain photos</source>
+        <translation>Bergfotos importieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>photo,exif,heic,jpeg,geotag,gps,import,focal length,compass</source>
+        <translation>Foto,EXIF,HEIC,JPEG,Geotag,GPS,Import,Brennweite,Kompass</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Point layer of the photographs in a folder, with field of view and compass reference</source>
+        <translation>Punktlayer der Fotos eines Ordners, mit Bildwinkel und Kompassbezug</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Erzeugt einen Punkt je JPEG- oder HEIC-Foto mit Position. Es schreibt dieselben Felder wie &lt;i&gt;Geotaggte Fotos importieren&lt;/i&gt; von QGIS und ergänzt, was die Orientierung braucht: kleinbildäquivalente Brennweite, Bildwinkel, Größe des aufrecht stehenden Bildes, Kompassbezug (geographisch oder magnetisch), GPS-Fehler, Kamera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
+        <translation>Was eine Datei nicht sagt, bleibt NULL. Fotos ohne brauchbare Position und unlesbare Dateien kommen mit dem Grund in die optionale Tabelle der abgewiesenen Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Ordner mit Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>JPEG and HEIC files are read by content.</source>
+        <translation>JPEG- und HEIC-Dateien werden am Inhalt erkannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>Auch Unterordner</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Auch in allen Ordnern darunter suchen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Rejected photos</source>
+        <translation>Abgewiesene Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Number of rejected photos</source>
+        <translation>Anzahl der abgewiesenen Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>The photo has no GPS position.</source>
+        <translation>Das Foto hat keine GPS-Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Label peaks in photos</source>
+        <translation>Gipfel in Fotos beschriften</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>peak,summit,mountain,name,label,annotate,prominence,openstreetmap,geonames</source>
+        <translation>Gipfel,Berg,Name,Beschriftung,Schartenhöhe,Prominenz,OpenStreetMap,GeoNames</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
+        <translation>Welche Gipfel im Bild sind, ob sichtbar, wie weit und wo; beschriftete PNG und SVG</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
+        <translation>Nimmt einen Punktlayer mit Namen und Höhen (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames) oder sucht Gipfel im Geländemodell nach ihrer Schartenhöhe. Jeder wird auf die nahe Kuppe des DGM gesetzt, denn veröffentlichte Orte und grobe DGM weichen um Hunderte Meter voneinander ab; dann wird gefragt, ob das Foto ihn zeigt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
+        <translation>Beschriftungen überlappen nie; der wichtigere Gipfel (nach Schartenhöhe, sonst nach der Höhe über den übrigen sichtbaren) erhält den besseren Platz. Was keinen Platz findet, fehlt im Bild, nicht im Layer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summits in photos</source>
+        <translation>Gipfel in Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One PNG and one SVG per photo with the names written in.</source>
+        <translation>Ein PNG und ein SVG je Foto mit eingeschriebenen Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Folder for labelled photos</source>
+        <translation>Ordner für beschriftete Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of summits in frame</source>
+        <translation>Anzahl der Gipfel im Bildausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of visible summits</source>
+        <translation>Anzahl der sichtbaren Gipfel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summit</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height as published, else of the DEM (m)</source>
+        <translation>Veröffentlichte Höhe, sonst die des DGM (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height of the DEM's top (m)</source>
+        <translation>Höhe der Kuppe im DGM (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Moved to the DEM's top by (m)</source>
+        <translation>Verschoben auf die Kuppe des DGM um (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Prominence in the DEM (m), where summits were searched</source>
+        <translation>Schartenhöhe im DGM (m), wo Gipfel gesucht wurden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>visible, hidden, unknown</source>
+        <translation>visible (sichtbar), hidden (verdeckt), unknown (unbekannt)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Distance (m)</source>
+        <translation>Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>Der Punktlayer hat kein Objekt. Wählen Sie einen anderen oder heben Sie die Auswahl auf.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Punkt {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>Der Layer hat kein Feld {field} ({name}). Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>Der Layer hat kein Feld {field}. Wählen Sie das Feld mit den Pfaden der Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map to pixels</source>
+        <translation>Karte zu Pixeln</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>project,overlay,photo,pixel,visible,hidden,trail,outline,annotate,augmented</source>
+        <translation>projizieren,Überlagerung,Foto,Pixel,sichtbar,verdeckt,Weg,Umriss,beschriften,Augmented Reality</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Where points, lines and areas of the map appear in oriented photos, and what hides them</source>
+        <translation>Wo Punkte, Linien und Flächen der Karte in orientierten Fotos erscheinen, und was sie verdeckt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
+        <translation>Aus Punkten, Linien (einem Weg) und Flächen (dem Umriss eines Gletschers von 1900) werden Bildkoordinaten. Linien und Umrisse folgen dem Gelände und werden zerschnitten, wo sie dahinter oder aus dem Bild laufen; jedes Stück sagt &lt;b&gt;visible&lt;/b&gt; (sichtbar), &lt;b&gt;hidden&lt;/b&gt; (verdeckt), &lt;b&gt;outside&lt;/b&gt; (außerhalb) oder &lt;b&gt;unknown&lt;/b&gt; (dort keine Höhe). Flächen sagen auch, welcher Anteil zu sehen ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
+        <translation>Die Koordinaten der Ausgabe sind die des Bildes, wie QGIS es ohne Georeferenz zeigt: x nach rechts, y negativ nach unten von der oberen linken Ecke; laden Sie das Foto daneben. Die Felder &lt;b&gt;x_px&lt;/b&gt; und &lt;b&gt;y_px&lt;/b&gt; zählen von der Mitte des ersten Pixels, y nach unten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map features</source>
+        <translation>Kartenobjekte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
+        <translation>In jedem Koordinatensystem. Höhen kommen aus dem DGM, wenn nicht Z verwendet werden soll.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Field with names</source>
+        <translation>Feld mit Namen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Written to the output and into the pictures.</source>
+        <translation>Wird in die Ausgabe und in die Bilder geschrieben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Height above ground (m)</source>
+        <translation>Höhe über Grund (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Of what is to be seen.</source>
+        <translation>Dessen, was zu sehen sein soll.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Step along lines (px)</source>
+        <translation>Schrittweite entlang von Linien (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>How finely lines are followed.</source>
+        <translation>Wie fein Linien verfolgt werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pictures</source>
+        <translation>Punkte in Bildern</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pictures</source>
+        <translation>Linien und Umrisse in Bildern</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>One PNG and one SVG per photo with the features drawn in; hidden parts are dashed.</source>
+        <translation>Ein PNG und ein SVG je Foto mit eingezeichneten Objekten; verdeckte Teile sind gestrichelt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Folder for annotated photos</source>
+        <translation>Ordner für Fotos mit Einzeichnung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of points and pieces</source>
+        <translation>Anzahl der Punkte und Stücke</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of visible points and pieces</source>
+        <translation>Anzahl der sichtbaren Punkte und Stücke</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines in pictures</source>
+        <translation>Linien in Bildern</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Measure angular offsets</source>
+        <translation>Winkelabweichungen messen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>accuracy,landmark,offset,skyline,evaluation,table</source>
+        <translation>Genauigkeit,Landmarke,Abweichung,Horizontlinie,Bewertung,Tabelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Angular offsets between extracted and synthetic skyline from landmark pairs</source>
+        <translation>Winkelabweichungen zwischen ausgezogener und synthetischer Horizontlinie aus Paaren von Landmarken</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Each row of the table is one feature, a summit or a notch, clicked on the skyline of the photograph (extracted) and on the projected horizon (synthetic), in pixels of the upright picture. Offsets are synthetic minus extracted: azimuth positive to the right, elevation positive upwards.</source>
+        <translation>Jede Zeile der Tabelle ist ein Merkmal, ein Gipfel oder eine Scharte, angeklickt auf der Horizontlinie des Fotos (ausgezogen) und auf dem projizierten Horizont (synthetisch), in Pixeln des aufrecht stehenden Bildes. Abweichungen sind synthetisch minus ausgezogen: im Azimut nach rechts, im Höhenwinkel nach oben positiv.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
+        <translation>Die Tabelle braucht die Felder photo, x_extracted, y_extracted, x_synthetic, y_synthetic (oder x1, y1, x2, y2). Bildgröße und Bildwinkel kommen aus den Feldern width, height, hfov, vfov, wo es sie gibt, sonst nach der veröffentlichten Regel aus der Fotodatei. Die Ausgabe enthält die Mittel der absoluten Abweichungen je Foto; die Mittel über alle Paare stehen in den Ergebnissen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Table of landmark pairs</source>
+        <translation>Tabelle der Landmarkenpaare</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per pair; pixels of the upright picture.</source>
+        <translation>Eine Zeile je Paar; Pixel des aufrecht stehenden Bildes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Field {name}</source>
+        <translation>Feld {name}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Left empty: the first of {names} that the table has.</source>
+        <translation>Leer: das erste von {names}, das die Tabelle hat.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Offsets per photo</source>
+        <translation>Abweichungen je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Number of pairs</source>
+        <translation>Anzahl der Paare</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset over all pairs (°)</source>
+        <translation>Mittlere Azimutabweichung über alle Paare (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset over all pairs (°)</source>
+        <translation>Mittlere Höhenwinkelabweichung über alle Paare (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset over all pairs (°)</source>
+        <translation>Mittlere Gesamtabweichung über alle Paare (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no complete pair. Fill photo and all four coordinates.</source>
+        <translation>Die Tabelle hat kein vollständiges Paar. Füllen Sie photo und alle vier Koordinaten aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no field {field}. It has {fields}; choose the right one under Advanced.</source>
+        <translation>Die Tabelle hat kein Feld {field}. Sie hat {fields}; wählen Sie unter Erweitert das richtige.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset (°)</source>
+        <translation>Mittlere Azimutabweichung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset (°)</source>
+        <translation>Mittlere Höhenwinkelabweichung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset (°)</source>
+        <translation>Mittlere Gesamtabweichung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed azimuth offset (°)</source>
+        <translation>Mittlere Azimutabweichung mit Vorzeichen (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed elevation offset (°)</source>
+        <translation>Mittlere Höhenwinkelabweichung mit Vorzeichen (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Was das Pixel zeigt: ground (Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Einfallswinkel (°, 0 senkrecht)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Boden je Pixel quer zur Blickrichtung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Fehlerellipse, große Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Fehlerellipse, kleine Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Richtung der großen Halbachse (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Standardabweichung der Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Wahrscheinlichkeit, dass das Pixel anderes Gelände zeigt, jenseits einer Kante</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Entfernung, 5-%-Quantil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Entfernung, 95-%-Quantil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Was es zeigt: ground (Boden), partly ground (teils Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Anteil seines Umrisses, der auf bekanntem Gelände liegt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Stücke, zerschnitten, wo das Gelände dahinter springt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Median der großen Halbachsen der Fehlerellipsen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Größte der großen Halbachsen der Fehlerellipsen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Mittlere Wahrscheinlichkeit, dass es anderes Gelände zeigt, jenseits einer Kante</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Wahrscheinlichkeit, dass sie den wahren Ort enthält</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>Die Bildgröße ist unbekannt, darum haben seine Pixel keinen Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Kein orientierter Fotopunkt für: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Orient photos</source>
+        <translation>Fotos orientieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>photo,heading,azimuth,direction,orientation,pose,skyline,horizon,compass,pitch,roll</source>
+        <translation>Foto,Blickrichtung,Azimut,Richtung,Orientierung,Lage,Horizontlinie,Horizont,Kompass,Nickwinkel,Rollwinkel,heading</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Heading, pitch and roll of mountain photographs from their skyline and a DEM</source>
+        <translation>Blickrichtung, Nick- und Rollwinkel von Bergfotos aus ihrer Horizontlinie und einem DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Vergleicht die Horizontlinie jedes Fotos mit dem Horizont, den das Geländemodell an seiner Position hat, über alle Blickrichtungen, und passt Blickrichtung, Nick- und Rollwinkel und Brennweite an. Ein Kompass ist nicht nötig.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (angenommen: verlässlich), &lt;i&gt;ambiguous&lt;/i&gt; (mehrdeutig: eine andere Blickrichtung passt fast ebenso gut; siehe heading_2 und den Bericht), &lt;i&gt;rejected&lt;/i&gt; (verworfen: keine brauchbare Horizontlinie, oder nichts passt), &lt;i&gt;failed&lt;/i&gt; (gescheitert: die Eingabe ist schuld); &lt;b&gt;message&lt;/b&gt; sagt, warum und was zu tun ist. heading_lo und heading_hi schließen die wahre Blickrichtung mit 90 % ein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
+        <translation>Blickrichtungen zählen im Uhrzeigersinn von geographisch Nord. Die Geometrie eines Punktes ist der Standort der Kamera. Für Fotos, die scheitern, geben Sie eine ungefähre Blickrichtung, eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an (Erweitert).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Orientierte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Anzahl der angenommenen Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>Des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Ein Punkt ohne Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Ein unvorhergesehener Programmfehler hat dieses Foto gestoppt. Bitte melden Sie ihn mit den Angaben aus dem Protokoll.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} Fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Nickwinkel (°, + nach oben)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Korrelation der Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Korrelation der zweitbesten Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Zweitbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Drittbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Schärfe der Korrelationsspitze</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Aufgezeichnete minus gefundene Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Meridiankonvergenz des DGM (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Höhe der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Kamera über dem DGM (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Suchweite (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Linker Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>{name} konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Outline panorama</source>
+        <translation>Konturpanorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>panorama,horizon,skyline,ridge,outline,360,peaks,labels,svg</source>
+        <translation>Panorama,Horizont,Horizontlinie,Grat,Umriss,360,Gipfel,Beschriftung,SVG</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
+        <translation>Horizont und innere Grate rund um einen Punkt, beschriftet, als SVG und PNG und als Kartenlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
+        <translation>Zeichnet für jeden Punkt den Horizont und jeden inneren Grat, der Gelände verdeckt; nahe dunkel und kräftig, ferne blass. Gipfel kommen aus einem Layer oder nach Schartenhöhe aus dem DGM. Orientierte Fotopunkte in der Nähe (optional) zeigen ihren Bildausschnitt an seinem Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>The line layer holds the same ridges on the map, with distance and elevation angle.</source>
+        <translation>Der Linienlayer enthält dieselben Grate auf der Karte, mit Entfernung und Höhenwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
+        <translation>Die im Umkreis von 100 m um einen Punkt zeigen ihren Bildausschnitt; Felder heading, pitch, roll, hfov, vfov.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Between rays.</source>
+        <translation>Zwischen Strahlen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth at the left edge (°)</source>
+        <translation>Azimut am linken Rand (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the strip begins.</source>
+        <translation>Wo der Streifen beginnt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Pixels per degree</source>
+        <translation>Pixel je Grad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Size of the drawing.</source>
+        <translation>Größe der Zeichnung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Exaggeration of heights</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>1: true shape.</source>
+        <translation>1: wahre Form.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>One PNG and one SVG per point.</source>
+        <translation>Ein PNG und ein SVG je Punkt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Folder for panoramas</source>
+        <translation>Ordner für Panoramen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ridges in view</source>
+        <translation>Sichtbare Grate</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Number of panoramas</source>
+        <translation>Anzahl der Panoramen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>horizon or ridge</source>
+        <translation>horizon (Horizont) oder ridge (Grat)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Begins at azimuth (° from true north)</source>
+        <translation>Beginnt bei Azimut (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ends at azimuth (° from true north)</source>
+        <translation>Endet bei Azimut (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Median distance (m)</source>
+        <translation>Median der Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Highest elevation angle (°)</source>
+        <translation>Größter Höhenwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Fotopunkte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Ein Punkt je Foto, in jedem Koordinatensystem, zum Beispiel aus „Geotaggte Fotos importieren“. Der Punkt ist der Standort der Kamera; ein Punkt ohne Geometrie nimmt die Position aus dem Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Feld mit dem Pfad des Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Voller Pfad des Fotos; ein relativer Pfad zählt vom Ordner des Layers oder des Projekts.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Geländemodell (DGM)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte so weit reichen wie die sichtbaren Berge.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Kanal des DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Kanal mit den Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>robust</source>
+        <translation>robust</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>Aufsatz (wie veröffentlicht)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
+        <translation>Robust: genaue Kamerageometrie, alle Blickrichtungen, ein ehrlicher Fehlerbereich. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Aufgezeichnete Kompassrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>ignore</source>
+        <translation>nicht verwenden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>als Hinweis verwenden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
+        <translation>Nicht verwenden: Der Kompass wird nur berichtet. Hinweis: eine weiche Vorannahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie überstimmt sie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Kamerahöhe über Grund (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Meter über dem Geländemodell, wo keine absolute Höhe gegeben ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Größte Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Meter am Boden von der Kamera aus. Dahinter wird nichts betrachtet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Refraktionskoeffizient</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
+        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; üblich ist 0,13. Die Erdkrümmung ist immer berücksichtigt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>photo frame</source>
+        <translation>Bildausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>Blicksektor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>full circle</source>
+        <translation>Vollkreis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Bildausschnitt: Gelände im Bild, mit Nick- und Rollwinkel und beiden Bildwinkeln. Blicksektor: alles Gelände im horizontalen Bildwinkel. Vollkreis: alles, was vom Standort zu sehen ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>HTML-Dateien (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
+        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat je Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>In {folder} liegt kein Foto (JPEG, HEIC). Wählen Sie einen anderen Ordner oder schließen Sie die Unterordner ein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Coverage of a photo collection</source>
+        <translation>Abdeckung einer Fotosammlung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>coverage,blind spot,viewshed,cumulative,set cover,monitoring,fewest,photos,gsd</source>
+        <translation>Abdeckung,blinder Fleck,Sichtfeld,kumulativ,Mengenüberdeckung,Monitoring,wenigste Fotos,Bodenauflösung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>How often and how finely each cell is photographed, blind spots, and the fewest photos needed</source>
+        <translation>Wie oft und wie fein jede Zelle fotografiert ist, blinde Flecken und die wenigsten nötigen Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Counts the photographs that see each cell of the area (0 is a blind spot) and gives the finest ground sampling distance among them in metres per pixel, across the line of sight.</source>
+        <translation>Zählt die Fotos, die jede Zelle des Gebiets zeigen (0 ist ein blinder Fleck), und gibt die feinste Bodenauflösung unter ihnen in Metern je Pixel quer zur Sichtlinie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
+        <translation>Die Tabelle sagt, wie viel jedes Foto zeigt und welche nötig sind: so wenige wie möglich, die zusammen alles zeigen, was die Sammlung zeigt, in der Reihenfolge ihres Beitrags (&lt;b&gt;pick&lt;/b&gt;). PROVEN ist wahr, wo es keine kleinere Auswahl gibt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
+        <translation>Nur das Gelände darin zählt. Leer: das ganze DGM, soweit es in Reichweite eines Fotos liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos and what they add</source>
+        <translation>Fotos und ihr Beitrag</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Share of the area seen by at least one</source>
+        <translation>Anteil des Gebiets, den mindestens eines zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Number of cells that no photo sees</source>
+        <translation>Anzahl der Zellen, die kein Foto zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Fewest photos that see all that the collection sees</source>
+        <translation>Wenigste Fotos, die alles zeigen, was die Sammlung zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>No smaller choice exists</source>
+        <translation>Es gibt keine kleinere Auswahl</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>None of the points is an oriented photo on this DEM.</source>
+        <translation>Keiner der Punkte ist ein orientiertes Foto auf diesem DGM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>Das Gebiet ist leer oder liegt, wohin das KBS des DGM nicht reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Fotos zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
+        <translation>Foto,Sichtfeld,Blickrichtung,Orientierung,Horizontlinie,Sichtbarkeit,HEIC,EXIF,Bericht,Stapel,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>From mountain photographs and a DEM to headings, ground in view and a report</source>
+        <translation>Von Bergfotos und einem DGM zu Blickrichtungen, sichtbarem Gelände und einem Bericht</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
+        <translation>Liest georeferenzierte Fotos, findet aus Horizontlinie und Geländemodell, wohin jedes blickt, und berechnet das Gelände, das es zeigt. Wählen Sie einen Ordner oder einen Layer mit Fotopunkten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
+        <translation>Öffnen Sie den Bericht, um jede Zuordnung zu beurteilen: eine Karte je Foto, mit dem Horizont über dem Bild. Fotos mit zweifelhafter Blickrichtung (Status &lt;i&gt;ambiguous&lt;/i&gt;) erhalten kein Sichtfeld, wenn Sie es nicht unter Erweitert verlangen; beim Verfahren &lt;i&gt;Aufsatz&lt;/i&gt;, das seine Antworten nicht prüft, erhalten alle eines.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Distances are ground metres and headings count from true north, whatever the coordinate systems.</source>
+        <translation>Entfernungen sind Meter am Boden, Blickrichtungen zählen von geographisch Nord, in jedem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>JPEG- und HEIC-Dateien mit GPS-Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folders inside the folder too</source>
+        <translation>Auch Unterordner des Ordners</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Viewsheds of doubtful photos too</source>
+        <translation>Sichtfelder auch für zweifelhafte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Search range of the horizon (m)</source>
+        <translation>Suchweite des Horizonts (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres.</source>
+        <translation>Wie weit die Berge der Horizontlinie entfernt sein können, in Metern am Boden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Show the ground for the best heading even where another is as likely.</source>
+        <translation>Zeigt das Gelände der besten Blickrichtung, auch wo eine andere ebenso wahrscheinlich ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>Der Punkt nennt kein Foto; es gibt kein Bild zum Einzeichnen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Bildobjekte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Punkte, Linien oder Polygone, deren Koordinaten Pixel des aufrecht stehenden Bildes sind (wie in QGIS über dem Foto selbst gezeichnet, wo y negativ ist, oder y nach unten gezählt), oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne dieses gehören die Objekte zu jedem Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Bildobjekte aus einem Annotationswerkzeug</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Annotationsdateien (*.json *.geojson *.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON mit Pixelkoordinaten oder CSV mit photo, x, y (und feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Geben Sie Bildobjekte an: einen Layer oder eine Datei aus einem Annotationswerkzeug.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Die Bildobjekte sind leer: Zeichnen Sie zuerst etwas auf ein Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Pixels to map (monoplotting)</source>
+        <translation>Pixel zur Karte (Monoplotting)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>monoplotting,pixel,photo,georeference,digitise,glacier,labelme,coco,via,ellipse,accuracy</source>
+        <translation>Monoplotting,Pixel,Foto,Georeferenz,digitalisieren,Gletscher,LabelMe,COCO,VIA,Ellipse,Genauigkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points, lines and areas drawn on oriented photos become map features with an error ellipse</source>
+        <translation>Auf orientierte Fotos gezeichnete Punkte, Linien und Flächen werden zu Kartenobjekten mit Fehlerellipse</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
+        <translation>Die Sichtlinie jedes Pixels wird bis zum Geländemodell verfolgt, mit Erdkrümmung und Refraktion. Linien und Umrisse werden Pixel für Pixel verfolgt und zerschnitten, wo das Gelände dahinter springt. Pixel, die auf den Himmel, eine Lücke im DGM oder seinen Rand treffen, sagen es in &lt;b&gt;status&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
+        <translation>Die Fehlerellipse enthält den wahren Ort mit der gewählten Wahrscheinlichkeit, bei der Unsicherheit von Blickrichtung, Nick- und Rollwinkel, Brennweite, Position und DGM. &lt;b&gt;p_other&lt;/b&gt; ist die Wahrscheinlichkeit, dass das Pixel ganz anderes Gelände zeigt, jenseits einer Kante im Bild: Vorsicht nahe an Graten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Probability that the ellipse holds (%)</source>
+        <translation>Wahrscheinlichkeit, die die Ellipse einschließt (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>90 % is usual.</source>
+        <translation>Üblich sind 90 %.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines and outlines are followed in steps of this.</source>
+        <translation>Linien und Umrisse werden in Schritten dieser Größe verfolgt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points on the map</source>
+        <translation>Punkte auf der Karte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines on the map</source>
+        <translation>Linien auf der Karte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Areas on the map</source>
+        <translation>Flächen auf der Karte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Error ellipses</source>
+        <translation>Fehlerellipsen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of map features</source>
+        <translation>Anzahl der Kartenobjekte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of features that meet no ground</source>
+        <translation>Anzahl der Objekte, die auf kein Gelände treffen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
+        <translation>Geographische Blickrichtung, im Uhrzeigersinn von Nord, in deren Nähe die Antwort liegen muss. NULL: keine.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with the tolerance of that heading (°)</source>
+        <translation>Feld mit der Toleranz dieser Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <translation>Wie weit die Blickrichtung von der ungefähren abweichen darf. NULL: 20 Grad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
+        <translation>Punkte auf der Karte, die auf Fotos zu sehen sind: Felder photo, x und y (Pixel des aufrecht stehenden Bildes, das erste ist 0), optional elevation (m). Eine genügt, um die Blickrichtung zu bestimmen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Drawn skylines</source>
+        <translation>Gezeichnete Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
+        <translation>Tabelle mit den Feldern photo, column und row (Pixel des aufrecht stehenden Bildes): die Stützpunkte der Horizontlinie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Folder of sky masks</source>
+        <translation>Ordner mit Himmelsmasken</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
+        <translation>Bilder mit den Namen der Fotos (IMG_1.png für IMG_1.heic), in denen der Himmel weiß ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
+        <translation>Die Tabelle {parameter} braucht die Felder photo, x und y (oder column und row); sie hat {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The folder of sky masks {folder} does not exist.</source>
+        <translation>Den Ordner mit Himmelsmasken {folder} gibt es nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Simulate photos</source>
+        <translation>Fotos simulieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>render,view,panorama,synthetic,photo,preview,test data</source>
+        <translation>rendern,Ansicht,Panorama,synthetisch,Foto,Vorschau,Testdaten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What would a photograph from here look like?</source>
+        <translation>Wie sähe ein Foto von hier aus?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Renders sun, snow, haze, sky and clouds over the elevation model and writes real JPEG or HEIC files with position, compass heading and focal length, for planning photographs, for tests and for practice.</source>
+        <translation>Rendert Sonne, Schnee, Dunst, Himmel und Wolken über dem Geländemodell und schreibt echte JPEG- oder HEIC-Dateien mit Position, Kompassrichtung und Brennweite, zum Planen von Fotos, für Tests und zum Üben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Heading, pitch and roll come from fields (NULL: 0 for pitch and roll; points without a heading are skipped). The same seed gives the same pictures. The compass heading written is the exact one.</source>
+        <translation>Blickrichtung, Nick- und Rollwinkel kommen aus Feldern (NULL: 0 für Nick- und Rollwinkel; Punkte ohne Blickrichtung werden übergangen). Derselbe Startwert ergibt dieselben Bilder. Die geschriebene Kompassrichtung ist die genaue.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Points with heading</source>
+        <translation>Punkte mit Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Width (px)</source>
+        <translation>Breite (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Height (px)</source>
+        <translation>Höhe (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Size of the upright picture.</source>
+        <translation>Größe des aufrecht stehenden Bildes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>HEIC needs the Python package pillow-heif.</source>
+        <translation>HEIC braucht das Python-Paket pillow-heif.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Where the pictures go.</source>
+        <translation>Wohin die Bilder kommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>The point has no usable position or no heading.</source>
+        <translation>Der Punkt hat keine brauchbare Position oder keine Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Nach oben positiv. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>NULL: 65 degrees.</source>
+        <translation>NULL: 65 Grad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Clouds</source>
+        <translation>Wolken</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>behind the ridge</source>
+        <translation>hinter dem Grat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>lid over the ridge</source>
+        <translation>als Deckel über dem Grat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>in the valley</source>
+        <translation>im Tal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Foreground</source>
+        <translation>Vordergrund</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>trees</source>
+        <translation>Bäume</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>people</source>
+        <translation>Menschen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Degrees.</source>
+        <translation>Grad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Of everything random.</source>
+        <translation>Für alles Zufällige.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Weather of the scene.</source>
+        <translation>Wetter der Szene.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of clouds</source>
+        <translation>Anteil der Wolken</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>0 to 1.</source>
+        <translation>0 bis 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What stands near the camera.</source>
+        <translation>Was nahe bei der Kamera steht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of foreground</source>
+        <translation>Anteil des Vordergrunds</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Azimuth of the sun (°)</source>
+        <translation>Azimut der Sonne (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation of the sun (°)</source>
+        <translation>Höhenwinkel der Sonne (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Visual range (m)</source>
+        <translation>Sichtweite (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Haze; small is hazy.</source>
+        <translation>Dunst; klein heißt dunstig.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Terrain beyond is left out.</source>
+        <translation>Gelände dahinter bleibt weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Snow line (m)</source>
+        <translation>Schneegrenze (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation; empty: by the relief in view.</source>
+        <translation>Höhe; leer: nach dem sichtbaren Relief.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Tree line (m)</source>
+        <translation>Waldgrenze (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Sensor noise</source>
+        <translation>Sensorrauschen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>In 8-bit steps at mid-grey.</source>
+        <translation>In 8-Bit-Stufen bei mittlerem Grau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Punkte mit Namen und Höhen. Leer: Gipfel werden im DGM nach ihrer Schartenhöhe gesucht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Gipfel ohne Namen bleiben weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Feld mit Höhen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>Auch Text wie 4478 wird gelesen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Kleinste Schartenhöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>Von Gipfeln, die im DGM gefunden werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Suchradius um einen veröffentlichten Gipfel (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0: den Ort nehmen, wie er veröffentlicht ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>Aus „Fotos orientieren“, oder beliebige Punkte mit Blickrichtung, Nick- und Rollwinkel und Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Nur verwendet, wo das Foto selbst fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolut, im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Unsicherheit der Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Standardabweichung, wo die Punkte kein heading_lo und heading_hi tragen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Unsicherheit des Nickwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Standardabweichung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Unsicherheit des Rollwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Unsicherheit der Brennweite (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Unsicherheit der Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Standardabweichung des Kamerastandorts, je nach Ost und Nord; ein Feld h_acc tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Unsicherheit der Kamerahöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Höhenfehler des DGM (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Fernstes sichtbares Gelände</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>Das Polygon von {name} konnte nicht gebildet werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Sichtbares Gelände (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Fernstes sichtbares Gelände (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Zielhöhe über Grund (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Höhe dessen, was betrachtet wird; 0 fragt nach dem Boden selbst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>Näheres Gelände gilt nicht als sichtbar, verdeckt aber, was dahinter liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>Die Mindestentfernung muss kleiner sein als die größte Entfernung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>heading</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>horizontaler Bildwinkel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Kein Sichtfeld: {value} unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Kein Sichtfeld: Ein Bildwinkel muss zwischen 0 und 180 Grad liegen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Nickwinkel oder vertikaler Bildwinkel ist unbekannt: Gezeigt wird der Blicksektor, nicht der Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Which photos show these places?</source>
+        <translation>Welche Fotos zeigen diese Orte?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>search,photo,archive,place,visible,inverse,query,resolution,ranking</source>
+        <translation>Suche,Foto,Archiv,Ort,sichtbar,invers,Abfrage,Auflösung,Rangfolge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Table of places and the photos that show them: share, pixels per metre, angle, pixel, rank</source>
+        <translation>Tabelle der Orte und der Fotos, die sie zeigen: Anteil, Pixel je Meter, Winkel, Pixel, Rang</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Für jeden Punkt, jede Linie oder Fläche des Ortslayers: die Fotos, in deren Ausschnitt der Ort liegt und die ihn zeigen, wie viele Pixel ein Meter davon erhält, wie senkrecht der Blick auftrifft und wo im Bild er ist. Eine Zeile je Ort und Foto, das beste Foto jedes Orts zuerst (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: Pixel für einen Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, bereit für Beziehungen zu beiden Layern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points, lines or areas, in any coordinate system.</source>
+        <translation>Punkte, Linien oder Flächen, in jedem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Copied to the table.</source>
+        <translation>Wird in die Tabelle übernommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Of what is looked for: a tower, a tree top.</source>
+        <translation>Dessen, was gesucht wird: ein Turm, eine Baumkrone.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Least visible share (%)</source>
+        <translation>Kleinster sichtbarer Anteil (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos that show less of a place are left out.</source>
+        <translation>Fotos, die weniger von einem Ort zeigen, bleiben weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos of places</source>
+        <translation>Fotos von Orten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of rows</source>
+        <translation>Anzahl der Zeilen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of places that no photo shows</source>
+        <translation>Anzahl der Orte, die kein Foto zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>Der Ortslayer ist leer oder liegt, wohin das KBS des DGM nicht reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Name of the place</source>
+        <translation>Name des Orts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Rank among the photos of the place</source>
+        <translation>Rang unter den Fotos des Orts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Visible share of the place</source>
+        <translation>Sichtbarer Anteil des Orts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Share of the place within the frame</source>
+        <translation>Anteil des Orts im Bildausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Column of its middle (px)</source>
+        <translation>Spalte seiner Mitte (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Row of its middle (px)</source>
+        <translation>Zeile seiner Mitte (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Azimuth from the camera (° from true north)</source>
+        <translation>Azimut von der Kamera aus (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Elevation angle from the camera (°)</source>
+        <translation>Höhenwinkel von der Kamera aus (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Pixels per metre</source>
+        <translation>Pixel je Meter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Quality: pixels per metre of ground in the worse direction</source>
+        <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
+    </message>
+</context>
+</TS>

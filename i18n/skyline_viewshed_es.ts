@@ -1,0 +1,2520 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>SkylineViewshed</name>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: geotagged photos to viewsheds</source>
+        <translation>Modelo: de fotos georreferenciadas a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: recorded headings to viewsheds</source>
+        <translation>Modelo: de rumbos registrados a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: land cover that photos show</source>
+        <translation>Modelo: cobertura del suelo que muestran las fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Models</source>
+        <translation>Modelos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Photographs</source>
+        <translation>Fotografías</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Terrain and visibility</source>
+        <translation>Terreno y visibilidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>All in one</source>
+        <translation>Todo en uno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>From the photo to the map</source>
+        <translation>De la foto al mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Checks and simulation</source>
+        <translation>Comprobación y simulación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Reference</source>
+        <translation>Referencia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Cancelado. No se ha escrito nada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
+        <translation>No se puede escribir {name}: {folder} no es una carpeta en la que usted pueda escribir.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Punto de foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Celdas del área que muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Parte del área que muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Puesto entre las menos fotos necesarias; NULL: no necesaria</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Celdas que añade a las elegidas antes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Parte del área que muestran las elegidas hasta aquí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Mejor resolución sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Directed viewshed</source>
+        <translation>Cuenca visual dirigida</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>viewshed,visibility,photo,field of view,frustum,wedge,dem,sector</source>
+        <translation>cuenca visual,visibilidad,foto,campo de visión,pirámide de visión,sector,MDE,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Ground that oriented photographs show: cumulative raster and one polygon per photo</source>
+        <translation>Terreno que muestran fotografías orientadas: ráster acumulado y un polígono por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
+        <translation>Examina cada celda del modelo digital de elevaciones a su alcance: ¿se ve y está dentro de la imagen? &lt;i&gt;Encuadre de la foto&lt;/i&gt; usa rumbo, cabeceo, alabeo y ambos ángulos de visión; &lt;i&gt;sector de visión&lt;/i&gt;, solo el rumbo y el ángulo de visión horizontal; &lt;i&gt;círculo completo&lt;/i&gt;, nada de ello.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
+        <translation>El ráster sigue la malla del MDE y cuenta las fotografías que ven una celda; sin datos donde no se sabe. Los polígonos llevan el área sobre el elipsoide (m²) y la mayor distancia (m). Los acimutes son geográficos y las distancias, metros sobre el terreno, sea cual sea el sistema de coordenadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Oriented photo points</source>
+        <translation>Puntos de fotos orientadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the camera's elevation (m)</source>
+        <translation>Campo con la altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitud absoluta en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Cuenca visual</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Terreno visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folder for one raster per photo</source>
+        <translation>Carpeta para un ráster por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>GeoTIFFs: 1 seen, 0 not seen, nodata unknown.</source>
+        <translation>GeoTIFF: 1 visto, 0 no visto, sin datos desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of viewsheds</source>
+        <translation>Número de cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the heading (°)</source>
+        <translation>Campo con el rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>True, clockwise from north.</source>
+        <translation>Geográfico, en sentido horario desde el norte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the horizontal field of view (°)</source>
+        <translation>Campo con el ángulo de visión horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Of the upright picture.</source>
+        <translation>De la imagen derecha.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the pitch (°)</source>
+        <translation>Campo con el cabeceo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Up is positive. NULL: wedge, not frame.</source>
+        <translation>Positivo hacia arriba. NULL: sector en vez de encuadre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the roll (°)</source>
+        <translation>Campo con el alabeo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Right side down is positive. NULL: 0.</source>
+        <translation>Positivo si el lado derecho está más bajo. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the vertical field of view (°)</source>
+        <translation>Campo con el ángulo de visión vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>NULL: wedge, not frame.</source>
+        <translation>NULL: sector en vez de encuadre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Drape photos over the terrain</source>
+        <translation>Extender fotos sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>orthophoto,drape,rectify,texture,mosaic,photo,rgba,ground sampling distance</source>
+        <translation>ortofoto,extender,rectificar,textura,mosaico,foto,RGBA,resolución sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Colour raster on the DEM's grid: each cell as the photo shows it, transparent where hidden</source>
+        <translation>Ráster en color sobre la malla del MDE: cada celda como la muestra la foto, transparente donde está oculta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
+        <translation>Cada celda que ve una fotografía toma el color de los píxeles que la muestran; el resto es transparente. Varias fotografías se funden: prevalece la que ve la celda con más detalle, y cada una se desvanece hacia sus bordes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
+        <translation>El segundo ráster da la resolución sobre el terreno de la mejor foto en metros por píxel: banda 1 transversal a la línea de visión, banda 2 a lo largo de ella sobre la ladera, grande donde la vista es rasante. También se extienden los árboles y las personas de la imagen: el MDE no los conoce.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Cells per side of a DEM cell</source>
+        <translation>Celdas por lado de una celda del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>1: the DEM's own grid. 4: sixteen times as many cells, for a photo finer than the DEM.</source>
+        <translation>1: la malla del MDE. 4: dieciséis veces más celdas, para una foto más fina que el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Minimum distance (m)</source>
+        <translation>Distancia mínima (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground nearer than this is left out.</source>
+        <translation>El terreno más cercano se deja fuera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Draped photos</source>
+        <translation>Fotos extendidas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground sampling distance</source>
+        <translation>Resolución sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of photos draped</source>
+        <translation>Número de fotos extendidas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of cells with colour</source>
+        <translation>Número de celdas con color</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The point names no photo.</source>
+        <translation>El punto no nombra ninguna foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Ninguna foto muestra terreno de este MDE: no hay nada que extender.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>No se puede leer el modelo digital de elevaciones. Elija un archivo ráster con altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>El modelo digital de elevaciones procede de una fuente {provider}. Guárdelo primero como GeoTIFF y elija este.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Extract skyline</source>
+        <translation>Extraer la línea del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>photo,skyline,horizon,sky,segmentation,ridge,overlay</source>
+        <translation>foto,línea del horizonte,horizonte,cielo,segmentación,cresta,superposición,skyline</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Boundary between sky and terrain in photographs, with a confidence per column</source>
+        <translation>Límite entre cielo y terreno en las fotografías, con una confianza por columna</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
+        <translation>Escribe una fila por columna de la imagen: &lt;b&gt;column&lt;/b&gt; y &lt;b&gt;row&lt;/b&gt; son píxeles de la imagen completa y derecha (el primer píxel es 0, row = primer píxel de terreno), &lt;b&gt;confidence&lt;/b&gt; va de 0 (ningún límite creíble, interpolado) a 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
+        <translation>Donde la línea automática sea errónea, corrija la tabla a mano y désela a &lt;i&gt;Orientar fotos&lt;/i&gt; como &lt;i&gt;Líneas del horizonte dibujadas&lt;/i&gt;. Las superposiciones son imágenes PNG para juzgarla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Skylines</source>
+        <translation>Líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Folder of overlays</source>
+        <translation>Carpeta de superposiciones</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One PNG per photograph with its skyline.</source>
+        <translation>Un PNG por fotografía con su línea del horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Number of skylines</source>
+        <translation>Número de líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Column (px, from the left)</source>
+        <translation>Columna (px, desde la izquierda)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Row (px, from the top)</source>
+        <translation>Fila (px, desde arriba)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Confidence (0 to 1)</source>
+        <translation>Confianza (0 a 1)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitud GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Rumbo registrado (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotación según EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Momento de la toma (hora local de la cámara)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Distancia focal equivalente en 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Ángulo de visión horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Ángulo de visión vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Anchura de la imagen derecha (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Altura de la imagen derecha (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Referencia del rumbo registrado (T norte geográfico, M norte magnético)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Error horizontal del GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Elija una carpeta de fotografías o una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Elija o una carpeta de fotografías o una capa de puntos de fotos, no ambas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>La carpeta {folder} no existe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon profile</source>
+        <translation>Perfil del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>horizon,skyline,panorama,sky view factor,shading,elevation angle,dem</source>
+        <translation>horizonte,línea del horizonte,panorama,factor de visión del cielo,sombra,ángulo de elevación,MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle and distance of the horizon around points, and their sky view factor</source>
+        <translation>Ángulo de elevación y distancia del horizonte alrededor de puntos, y su factor de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
+        <translation>Para cada punto y acimut: el ángulo de elevación del horizonte, a qué distancia está y dónde. Los acimutes son geográficos y las distancias, metros sobre el terreno en cualquier sistema de coordenadas del MDE; se tienen en cuenta la curvatura terrestre y la refracción.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; es verdadero donde el MDE termina antes del alcance de búsqueda y más allá podría haber terreno más alto. &lt;b&gt;svf&lt;/b&gt; es el factor de visión del cielo del punto de origen (1 = cielo despejado).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the eye stands, in any coordinate system.</source>
+        <translation>Dónde está el ojo, en cualquier sistema de coordenadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth step (°)</source>
+        <translation>Paso de acimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Spacing of the directions; it is rounded so that it divides the circle.</source>
+        <translation>Separación de las direcciones; se redondea de modo que divida el círculo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon</source>
+        <translation>Horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Number of points with a horizon</source>
+        <translation>Número de puntos con horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The point has no usable position.</source>
+        <translation>El punto no tiene una posición utilizable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Source point</source>
+        <translation>Punto de origen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Azimuth (° from true north)</source>
+        <translation>Acimut (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle of the horizon (°)</source>
+        <translation>Ángulo de elevación del horizonte (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Distance of the horizon (m)</source>
+        <translation>Distancia del horizonte (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Cut off by the DEM's edge</source>
+        <translation>Cortado por el borde del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Sky view factor of the source point</source>
+        <translation>Factor de visión del cielo del punto de origen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Objeto del mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (visible), hidden (oculto), outside (fuera del encuadre), unknown (desconocido)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Columna (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Fila (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Distancia a la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Ángulo de elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Altitud (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Línea o anillo del objeto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Empieza en esta parte de su longitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Termina en esta parte de su longitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Menor distancia (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Mayor distancia (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Parte visible del objeto entero</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Los objetos del mapa están vacíos o se hallan donde el SRC del MDE no alcanza.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Import mountain photos</source>
+        <translation>Importar fotos de montaña</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>photo,exif,heic,jpeg,geotag,gps,import,focal length,compass</source>
+        <translation>foto,EXIF,HEIC,JPEG,geoetiqueta,GPS,importar,distancia focal,brújula</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Point layer of the photographs in a folder, with field of view and compass reference</source>
+        <translation>Capa de puntos de las fotografías de una carpeta, con ángulo de visión y referencia de la brújula</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Crea un punto por fotografía JPEG o HEIC con posición. Escribe los mismos campos que &lt;i&gt;Importar fotos geoetiquetadas&lt;/i&gt; de QGIS y añade lo que la orientación necesita: distancia focal equivalente en 35 mm, ángulo de visión, tamaño de la imagen derecha, referencia de la brújula (geográfica o magnética), error del GPS, cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
+        <translation>Lo que un archivo no dice queda NULL. Las fotografías sin posición utilizable y los archivos ilegibles van, con el motivo, a la tabla opcional de fotografías rechazadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Carpeta de fotografías</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>JPEG and HEIC files are read by content.</source>
+        <translation>Los archivos JPEG y HEIC se reconocen por su contenido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>También las subcarpetas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Buscar también en todas las carpetas de su interior.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Rejected photos</source>
+        <translation>Fotos rechazadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Number of rejected photos</source>
+        <translation>Número de fotos rechazadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>The photo has no GPS position.</source>
+        <translation>La foto no tiene posición GPS.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Label peaks in photos</source>
+        <translation>Rotular cimas en las fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>peak,summit,mountain,name,label,annotate,prominence,openstreetmap,geonames</source>
+        <translation>cima,cumbre,montaña,nombre,rótulo,anotar,prominencia,OpenStreetMap,GeoNames</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
+        <translation>Qué cimas están en la imagen, si son visibles, a qué distancia y dónde; PNG y SVG rotulados</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
+        <translation>Toma una capa de puntos con nombres y altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), o busca cimas en el MDE por su prominencia. Cada una se coloca en el punto alto cercano del MDE, pues las posiciones publicadas y los MDE gruesos difieren en cientos de metros; después se averigua si la foto la muestra.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
+        <translation>Los rótulos nunca se solapan; la cima más importante (por prominencia, si no por su altura sobre las demás a la vista) obtiene el mejor sitio. Las que no encuentran sitio faltan en la imagen, no en la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summits in photos</source>
+        <translation>Cimas en las fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One PNG and one SVG per photo with the names written in.</source>
+        <translation>Un PNG y un SVG por foto con los nombres escritos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Folder for labelled photos</source>
+        <translation>Carpeta de fotos rotuladas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of summits in frame</source>
+        <translation>Número de cimas en el encuadre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of visible summits</source>
+        <translation>Número de cimas visibles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summit</source>
+        <translation>Cima</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height as published, else of the DEM (m)</source>
+        <translation>Altitud publicada, si no la del MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height of the DEM's top (m)</source>
+        <translation>Altitud del punto alto en el MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Moved to the DEM's top by (m)</source>
+        <translation>Movida al punto alto del MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Prominence in the DEM (m), where summits were searched</source>
+        <translation>Prominencia en el MDE (m), donde se buscaron cimas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>visible, hidden, unknown</source>
+        <translation>visible (visible), hidden (oculta), unknown (desconocido)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Distance (m)</source>
+        <translation>Distancia (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>La capa de puntos no tiene ningún objeto. Elija otra o deshaga la selección.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Punto {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>La capa no tiene el campo {field} ({name}). Elija otro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>La capa no tiene el campo {field}. Elija el campo que contiene las rutas de las fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map to pixels</source>
+        <translation>Del mapa a los píxeles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>project,overlay,photo,pixel,visible,hidden,trail,outline,annotate,augmented</source>
+        <translation>proyectar,superposición,foto,píxel,visible,oculto,sendero,contorno,anotar,realidad aumentada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Where points, lines and areas of the map appear in oriented photos, and what hides them</source>
+        <translation>Dónde aparecen puntos, líneas y áreas del mapa en fotos orientadas, y qué los oculta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
+        <translation>Los puntos, las líneas (un sendero) y las áreas (el contorno de un glaciar de 1900) se convierten en coordenadas de imagen. Líneas y contornos siguen el terreno y se cortan donde pasan detrás de él o salen de la imagen; cada trozo dice &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (oculto), &lt;b&gt;outside&lt;/b&gt; (fuera) o &lt;b&gt;unknown&lt;/b&gt; (sin altitud allí). Las áreas dicen además qué parte de ellas se ve.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
+        <translation>Las coordenadas de salida son las de la imagen tal como QGIS la muestra sin georreferencia: x a la derecha, y negativa hacia abajo desde la esquina superior izquierda; cargue la foto al lado. Los campos &lt;b&gt;x_px&lt;/b&gt; e &lt;b&gt;y_px&lt;/b&gt; cuentan desde el centro del primer píxel, y hacia abajo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map features</source>
+        <translation>Objetos del mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
+        <translation>En cualquier sistema de coordenadas. Las altitudes se toman del MDE salvo que deba usarse Z.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Field with names</source>
+        <translation>Campo con los nombres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Written to the output and into the pictures.</source>
+        <translation>Se escribe en la salida y en las imágenes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Height above ground (m)</source>
+        <translation>Altura sobre el terreno (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Of what is to be seen.</source>
+        <translation>De lo que debe verse.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Step along lines (px)</source>
+        <translation>Paso a lo largo de las líneas (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>How finely lines are followed.</source>
+        <translation>Con qué finura se siguen las líneas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pictures</source>
+        <translation>Puntos en las imágenes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pictures</source>
+        <translation>Líneas y contornos en las imágenes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>One PNG and one SVG per photo with the features drawn in; hidden parts are dashed.</source>
+        <translation>Un PNG y un SVG por foto con los objetos dibujados; las partes ocultas van a trazos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Folder for annotated photos</source>
+        <translation>Carpeta de fotos anotadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of points and pieces</source>
+        <translation>Número de puntos y trozos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of visible points and pieces</source>
+        <translation>Número de puntos y trozos visibles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines in pictures</source>
+        <translation>Líneas en las imágenes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Measure angular offsets</source>
+        <translation>Medir desviaciones angulares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>accuracy,landmark,offset,skyline,evaluation,table</source>
+        <translation>exactitud,punto de referencia,desviación,línea del horizonte,evaluación,tabla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Angular offsets between extracted and synthetic skyline from landmark pairs</source>
+        <translation>Desviaciones angulares entre la línea del horizonte extraída y la sintética, a partir de pares de puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Each row of the table is one feature, a summit or a notch, clicked on the skyline of the photograph (extracted) and on the projected horizon (synthetic), in pixels of the upright picture. Offsets are synthetic minus extracted: azimuth positive to the right, elevation positive upwards.</source>
+        <translation>Cada fila de la tabla es un rasgo, una cima o una brecha, marcado en la línea del horizonte de la fotografía (extraída) y en el horizonte proyectado (sintético), en píxeles de la imagen derecha. Las desviaciones son sintético menos extraído: en acimut, positivas a la derecha; en elevación, positivas hacia arriba.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
+        <translation>La tabla necesita los campos photo, x_extracted, y_extracted, x_synthetic, y_synthetic (o x1, y1, x2, y2). El tamaño de la imagen y los ángulos de visión se toman de los campos width, height, hfov, vfov donde existan; si no, del archivo de la foto, según la regla publicada. La salida contiene las medias de las desviaciones absolutas por fotografía; las medias de todos los pares se dan como resultados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Table of landmark pairs</source>
+        <translation>Tabla de pares de puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per pair; pixels of the upright picture.</source>
+        <translation>Una fila por par; píxeles de la imagen derecha.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Field {name}</source>
+        <translation>Campo {name}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Left empty: the first of {names} that the table has.</source>
+        <translation>Vacío: el primero de {names} que tenga la tabla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Offsets per photo</source>
+        <translation>Desviaciones por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Number of pairs</source>
+        <translation>Número de pares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset over all pairs (°)</source>
+        <translation>Desviación media en acimut de todos los pares (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset over all pairs (°)</source>
+        <translation>Desviación media en elevación de todos los pares (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset over all pairs (°)</source>
+        <translation>Desviación total media de todos los pares (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no complete pair. Fill photo and all four coordinates.</source>
+        <translation>La tabla no tiene ningún par completo. Rellene photo y las cuatro coordenadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no field {field}. It has {fields}; choose the right one under Advanced.</source>
+        <translation>La tabla no tiene el campo {field}. Tiene {fields}; elija el correcto en Avanzado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Pairs</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset (°)</source>
+        <translation>Desviación media en acimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset (°)</source>
+        <translation>Desviación media en elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset (°)</source>
+        <translation>Desviación total media (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed azimuth offset (°)</source>
+        <translation>Desviación media con signo en acimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed elevation offset (°)</source>
+        <translation>Desviación media con signo en elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Lo que muestra el píxel: ground (suelo), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Ángulo de incidencia (°, 0 de frente)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Terreno por píxel transversal a la vista (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Elipse de error, semieje mayor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Elipse de error, semieje menor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Dirección del eje mayor (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Desviación típica de la altitud (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Probabilidad de que el píxel muestre otro terreno, más allá de un borde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Distancia, cuantil del 5 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Distancia, cuantil del 95 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Lo que muestra: ground (suelo), partly ground (suelo en parte), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Parte de su contorno que está sobre terreno conocido</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Trozos, cortados donde salta el terreno de detrás</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Mediana de los semiejes mayores de las elipses de error (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Mayor de los semiejes mayores de las elipses de error (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Probabilidad media de que muestre otro terreno, más allá de un borde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Probabilidad de que contenga el lugar verdadero</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>Se desconoce el tamaño de la imagen, por lo que sus píxeles no pueden situarse.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>No hay punto de foto orientada para: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Orient photos</source>
+        <translation>Orientar fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>photo,heading,azimuth,direction,orientation,pose,skyline,horizon,compass,pitch,roll</source>
+        <translation>foto,rumbo,acimut,dirección,orientación,pose,línea del horizonte,horizonte,brújula,cabeceo,alabeo,heading</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Heading, pitch and roll of mountain photographs from their skyline and a DEM</source>
+        <translation>Rumbo, cabeceo y alabeo de fotografías de montaña a partir de su línea del horizonte y un MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Compara la línea del horizonte de cada fotografía con el horizonte que el modelo digital de elevaciones tiene en su posición, en todos los rumbos, y ajusta rumbo, cabeceo, alabeo y distancia focal. No hace falta brújula.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (aceptada: fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambigua: otro rumbo encaja casi igual de bien; véanse heading_2 y el informe), &lt;i&gt;rejected&lt;/i&gt; (rechazada: sin línea del horizonte utilizable, o nada encaja), &lt;i&gt;failed&lt;/i&gt; (fallida: la entrada tiene la culpa); &lt;b&gt;message&lt;/b&gt; dice por qué y qué hacer. heading_lo y heading_hi encierran el rumbo verdadero con el 90 %.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
+        <translation>Los rumbos se cuentan en sentido horario desde el norte geográfico. La geometría de un punto es la posición de la cámara. Para las fotos que fallan, dé un rumbo aproximado, un punto de referencia, una línea del horizonte dibujada o una máscara del cielo (Avanzado).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Fotos orientadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Número de fotos aceptadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>De la imagen derecha, a través de su centro. NULL: según la distancia focal del archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un punto sin foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Cancelado tras {done} de {count} fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Un fallo imprevisto del programa detuvo esta foto. Comuníquelo, por favor, con los detalles del registro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Rumbo (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Cabeceo (°, + hacia arriba)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Alabeo (°, + lado derecho más bajo)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Correlación de las líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Correlación del segundo mejor rumbo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Segundo mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Tercer mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Nitidez del pico de correlación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Status</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Rumbo registrado (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Rumbo registrado menos rumbo hallado (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergencia de meridianos del MDE (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distancia del horizonte en el rumbo (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Cámara sobre el MDE (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Alcance de búsqueda (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde izquierdo de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>No se pudo escribir {name}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Outline panorama</source>
+        <translation>Panorama de contornos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>panorama,horizon,skyline,ridge,outline,360,peaks,labels,svg</source>
+        <translation>panorama,horizonte,línea del horizonte,cresta,contorno,360,cimas,rótulos,SVG</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
+        <translation>Horizonte y crestas interiores alrededor de un punto, rotulados, como SVG y PNG y como líneas del mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
+        <translation>Dibuja, para cada punto, el horizonte y cada cresta interior que oculta terreno; las cercanas oscuras y marcadas, las lejanas pálidas. Las cimas proceden de una capa, o del MDE por su prominencia. Los puntos de fotos orientadas cercanos (opcional) muestran su encuadre en su sitio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>The line layer holds the same ridges on the map, with distance and elevation angle.</source>
+        <translation>La capa de líneas contiene las mismas crestas en el mapa, con distancia y ángulo de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
+        <translation>Los que están a menos de 100 m de un punto muestran su encuadre; campos heading, pitch, roll, hfov, vfov.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Between rays.</source>
+        <translation>Entre rayos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth at the left edge (°)</source>
+        <translation>Acimut del borde izquierdo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the strip begins.</source>
+        <translation>Dónde empieza la franja.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Pixels per degree</source>
+        <translation>Píxeles por grado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Size of the drawing.</source>
+        <translation>Tamaño del dibujo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Exaggeration of heights</source>
+        <translation>Exageración de las alturas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>1: true shape.</source>
+        <translation>1: forma verdadera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>One PNG and one SVG per point.</source>
+        <translation>Un PNG y un SVG por punto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Folder for panoramas</source>
+        <translation>Carpeta de panoramas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ridges in view</source>
+        <translation>Crestas a la vista</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Number of panoramas</source>
+        <translation>Número de panoramas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>horizon or ridge</source>
+        <translation>horizon (horizonte) o ridge (cresta)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Begins at azimuth (° from true north)</source>
+        <translation>Empieza en el acimut (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ends at azimuth (° from true north)</source>
+        <translation>Termina en el acimut (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Median distance (m)</source>
+        <translation>Distancia mediana (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Highest elevation angle (°)</source>
+        <translation>Mayor ángulo de elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Puntos de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Un punto por fotografía, en cualquier sistema de coordenadas, por ejemplo de «Importar fotos geoetiquetadas». El punto es la posición de la cámara; un punto sin geometría toma la posición inscrita en la fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Campo con la ruta de la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Ruta completa de la fotografía; una ruta relativa parte de la carpeta de la capa o del proyecto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Modelo digital de elevaciones (MDE)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería llegar tan lejos como las montañas que se ven.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Banda del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Banda que contiene las altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>robust</source>
+        <translation>robusto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>artículo (tal como se publicó)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
+        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación de líneas del horizonte tal como se publicó, para comparar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Rumbo de brújula registrado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>ignore</source>
+        <translation>ignorar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>usar como indicio</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
+        <translation>Ignorar: la brújula solo se informa. Indicio: una creencia suave, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara prevalece sobre ella.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Altura de la cámara sobre el terreno (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Metros sobre el MDE, donde no se da una altitud absoluta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Distancia máxima (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Metros sobre el terreno desde la cámara. Más allá no se examina nada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Coeficiente de refracción</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
+        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo habitual. La curvatura se aplica siempre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>photo frame</source>
+        <translation>encuadre de la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>sector de visión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>full circle</source>
+        <translation>círculo completo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Encuadre de la foto: terreno dentro de la imagen, con cabeceo, alabeo y ambos ángulos de visión. Sector de visión: todo el terreno dentro del ángulo de visión horizontal. Círculo completo: todo lo que se ve desde el lugar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>Archivos HTML (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
+        <translation>Un archivo HTML autónomo con figuras, números y consejos por fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>En {folder} no hay ninguna fotografía (JPEG, HEIC). Elija otra carpeta o incluya las subcarpetas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Coverage of a photo collection</source>
+        <translation>Cobertura de una colección de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>coverage,blind spot,viewshed,cumulative,set cover,monitoring,fewest,photos,gsd</source>
+        <translation>cobertura,punto ciego,cuenca visual,acumulado,cobertura de conjuntos,seguimiento,menos fotos,resolución sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>How often and how finely each cell is photographed, blind spots, and the fewest photos needed</source>
+        <translation>Cuántas veces y con qué finura está fotografiada cada celda, puntos ciegos y las menos fotos necesarias</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Counts the photographs that see each cell of the area (0 is a blind spot) and gives the finest ground sampling distance among them in metres per pixel, across the line of sight.</source>
+        <translation>Cuenta las fotografías que ven cada celda del área (0 es un punto ciego) y da la resolución sobre el terreno más fina de ellas en metros por píxel, transversal a la línea de visión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
+        <translation>La tabla dice cuánto muestra cada fotografía y cuáles son necesarias: las menos posibles que juntas muestran todo lo que muestra la colección, en el orden de lo que añade cada una (&lt;b&gt;pick&lt;/b&gt;). PROVEN es verdadero donde no existe una elección menor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
+        <translation>Solo cuenta el terreno del interior. Vacío: todo el MDE, en la medida en que esté al alcance de una foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos and what they add</source>
+        <translation>Fotos y lo que añaden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Share of the area seen by at least one</source>
+        <translation>Parte del área que muestra al menos una</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Number of cells that no photo sees</source>
+        <translation>Número de celdas que ninguna foto muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Fewest photos that see all that the collection sees</source>
+        <translation>Menos fotos que muestran todo lo que muestra la colección</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>No smaller choice exists</source>
+        <translation>No existe una elección menor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>None of the points is an oriented photo on this DEM.</source>
+        <translation>Ninguno de los puntos es una foto orientada sobre este MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>El área está vacía o se halla donde el SRC del MDE no alcanza.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>De fotos a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
+        <translation>foto,cuenca visual,rumbo,orientación,línea del horizonte,visibilidad,HEIC,EXIF,informe,lote,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>From mountain photographs and a DEM to headings, ground in view and a report</source>
+        <translation>De fotografías de montaña y un MDE a rumbos, terreno visible y un informe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
+        <translation>Lee fotografías georreferenciadas, halla para cada una hacia dónde mira a partir de su línea del horizonte y del modelo digital de elevaciones, y calcula el terreno que muestra. Elija una carpeta, o una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
+        <translation>Abra el informe para juzgar cada ajuste: una ficha por fotografía, con el horizonte dibujado sobre la imagen. Las fotografías de rumbo dudoso (estado &lt;i&gt;ambiguous&lt;/i&gt;) no reciben cuenca visual a menos que la pida en Avanzado; con el método &lt;i&gt;artículo&lt;/i&gt;, que no comprueba sus respuestas, todas reciben una.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Distances are ground metres and headings count from true north, whatever the coordinate systems.</source>
+        <translation>Las distancias son metros sobre el terreno y los rumbos parten del norte geográfico, sean cuales sean los sistemas de coordenadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>Archivos JPEG y HEIC con posición GPS.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folders inside the folder too</source>
+        <translation>También las subcarpetas de la carpeta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Viewsheds of doubtful photos too</source>
+        <translation>Cuencas visuales también de las fotos dudosas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Search range of the horizon (m)</source>
+        <translation>Alcance de búsqueda del horizonte (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres.</source>
+        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Show the ground for the best heading even where another is as likely.</source>
+        <translation>Muestra el terreno del mejor rumbo aunque otro sea igual de probable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>El punto no nombra ninguna foto, así que no hay imagen sobre la que dibujar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Objetos de la imagen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen derecha (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Objetos de la imagen de una herramienta de etiquetado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Archivos de etiquetas (*.json *.geojson *.csv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON con coordenadas de píxel, o CSV con photo, x, y (y feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Dé objetos de la imagen: una capa, o un archivo de una herramienta de etiquetado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Los objetos de la imagen están vacíos: dibuje primero algo sobre una foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Pixels to map (monoplotting)</source>
+        <translation>De los píxeles al mapa (monoplotting)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>monoplotting,pixel,photo,georeference,digitise,glacier,labelme,coco,via,ellipse,accuracy</source>
+        <translation>monoplotting,píxel,foto,georreferenciar,digitalizar,glaciar,LabelMe,COCO,VIA,elipse,exactitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points, lines and areas drawn on oriented photos become map features with an error ellipse</source>
+        <translation>Los puntos, líneas y áreas dibujados sobre fotos orientadas se convierten en objetos del mapa con una elipse de error</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
+        <translation>La línea de visión de cada píxel se sigue hasta el modelo digital de elevaciones, con la curvatura terrestre y la refracción. Líneas y contornos se siguen píxel a píxel y se cortan donde salta el terreno de detrás. Los píxeles que dan con el cielo, un hueco del MDE o su borde lo dicen en &lt;b&gt;status&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
+        <translation>La elipse de error contiene el lugar verdadero con la probabilidad elegida, dada la incertidumbre de rumbo, cabeceo, alabeo, distancia focal, posición y MDE. &lt;b&gt;p_other&lt;/b&gt; es la probabilidad de que el píxel muestre un terreno muy distinto, más allá de un borde en la imagen: cuidado cerca de las crestas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Probability that the ellipse holds (%)</source>
+        <translation>Probabilidad que contiene la elipse (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>90 % is usual.</source>
+        <translation>El 90 % es lo habitual.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines and outlines are followed in steps of this.</source>
+        <translation>Líneas y contornos se siguen en pasos de este tamaño.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points on the map</source>
+        <translation>Puntos en el mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines on the map</source>
+        <translation>Líneas en el mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Areas on the map</source>
+        <translation>Áreas en el mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Error ellipses</source>
+        <translation>Elipses de error</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of map features</source>
+        <translation>Número de objetos del mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of features that meet no ground</source>
+        <translation>Número de objetos que no dan con terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Campo con un rumbo aproximado (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
+        <translation>Rumbo geográfico, en sentido horario desde el norte, cerca del cual debe estar la respuesta. NULL: ninguno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with the tolerance of that heading (°)</source>
+        <translation>Campo con la tolerancia de ese rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <translation>Cuánto puede apartarse el rumbo del aproximado. NULL: 20 grados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
+        <translation>Puntos del mapa que se ven en las fotografías: campos photo, x e y (píxeles de la imagen derecha, el primero es 0), opcionalmente elevation (m). Uno basta para determinar el rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Drawn skylines</source>
+        <translation>Líneas del horizonte dibujadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
+        <translation>Tabla con los campos photo, column y row (píxeles de la imagen derecha): los vértices de la línea del horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Folder of sky masks</source>
+        <translation>Carpeta de máscaras del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
+        <translation>Imágenes con el nombre de las fotografías (IMG_1.png para IMG_1.heic) en las que el cielo es blanco.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
+        <translation>La tabla {parameter} necesita los campos photo, x e y (o column y row); tiene {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The folder of sky masks {folder} does not exist.</source>
+        <translation>La carpeta de máscaras del cielo {folder} no existe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Simulate photos</source>
+        <translation>Simular fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>render,view,panorama,synthetic,photo,preview,test data</source>
+        <translation>renderizar,vista,panorama,sintético,foto,vista previa,datos de prueba</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What would a photograph from here look like?</source>
+        <translation>¿Cómo se vería una fotografía tomada desde aquí?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Renders sun, snow, haze, sky and clouds over the elevation model and writes real JPEG or HEIC files with position, compass heading and focal length, for planning photographs, for tests and for practice.</source>
+        <translation>Representa sol, nieve, calima, cielo y nubes sobre el modelo digital de elevaciones y escribe archivos JPEG o HEIC reales con posición, rumbo de brújula y distancia focal, para planear fotografías, para pruebas y para practicar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Heading, pitch and roll come from fields (NULL: 0 for pitch and roll; points without a heading are skipped). The same seed gives the same pictures. The compass heading written is the exact one.</source>
+        <translation>Rumbo, cabeceo y alabeo se toman de campos (NULL: 0 para cabeceo y alabeo; los puntos sin rumbo se omiten). La misma semilla da las mismas imágenes. El rumbo de brújula escrito es el exacto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Points with heading</source>
+        <translation>Puntos con rumbo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Width (px)</source>
+        <translation>Anchura (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Height (px)</source>
+        <translation>Altura (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Size of the upright picture.</source>
+        <translation>Tamaño de la imagen derecha.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>HEIC needs the Python package pillow-heif.</source>
+        <translation>HEIC necesita el paquete de Python pillow-heif.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Where the pictures go.</source>
+        <translation>Adónde van las imágenes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>The point has no usable position or no heading.</source>
+        <translation>El punto no tiene una posición utilizable o no tiene rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Positivo hacia arriba. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>NULL: 65 degrees.</source>
+        <translation>NULL: 65 grados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Clouds</source>
+        <translation>Nubes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>behind the ridge</source>
+        <translation>detrás de la cresta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>lid over the ridge</source>
+        <translation>tapa sobre la cresta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>fog</source>
+        <translation>niebla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>in the valley</source>
+        <translation>en el valle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Foreground</source>
+        <translation>Primer plano</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>trees</source>
+        <translation>árboles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>people</source>
+        <translation>personas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Degrees.</source>
+        <translation>Grados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Of everything random.</source>
+        <translation>De todo lo aleatorio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Weather of the scene.</source>
+        <translation>Tiempo meteorológico de la escena.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of clouds</source>
+        <translation>Parte de nubes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>0 to 1.</source>
+        <translation>0 a 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What stands near the camera.</source>
+        <translation>Lo que hay cerca de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of foreground</source>
+        <translation>Parte del primer plano</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Azimuth of the sun (°)</source>
+        <translation>Acimut del sol (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation of the sun (°)</source>
+        <translation>Ángulo de elevación del sol (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Visual range (m)</source>
+        <translation>Visibilidad (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Haze; small is hazy.</source>
+        <translation>Calima; pequeño significa brumoso.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Terrain beyond is left out.</source>
+        <translation>El terreno de más allá se deja fuera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Snow line (m)</source>
+        <translation>Línea de nieve (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation; empty: by the relief in view.</source>
+        <translation>Altitud; vacío: según el relieve a la vista.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Tree line (m)</source>
+        <translation>Límite del bosque (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Sensor noise</source>
+        <translation>Ruido del sensor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>In 8-bit steps at mid-grey.</source>
+        <translation>En pasos de 8 bits en gris medio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Cimas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Puntos con nombres y altitudes. Vacío: las cimas se buscan en el MDE por su prominencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Las cimas sin nombre se dejan fuera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Campo con las altitudes (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>También se lee texto como 4478.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Prominencia mínima (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>De las cimas halladas en el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Radio de búsqueda alrededor de una cima publicada (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0: tomar el lugar tal como se publicó.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>La capa de cimas no tiene el campo {field}. Elija el campo con los nombres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>De «Orientar fotos», o cualesquiera puntos con rumbo, cabeceo, alabeo y ángulo de visión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Solo se usa donde falta la propia fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absoluta, en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Incertidumbre del rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Desviación típica, donde los puntos no llevan heading_lo y heading_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Incertidumbre del cabeceo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Desviación típica.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Incertidumbre del alabeo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Incertidumbre de la distancia focal (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Incertidumbre de la posición (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Desviación típica del lugar de la cámara, al este y al norte cada una; la sustituye un campo h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Incertidumbre de la altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Error vertical del MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La foto no tiene rumbo; oriéntela primero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La foto no tiene un ángulo de visión horizontal entre 0 y 180 grados; oriéntela primero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Terreno visible más lejano</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>No se pudo formar el polígono de {name}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Terreno visible (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Terreno visible más lejano (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Altura del objetivo sobre el terreno (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Altura de lo que se mira; 0 pregunta por el propio suelo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>El terreno más cercano no se da por visto, pero oculta lo que hay detrás.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>La distancia mínima debe ser menor que la distancia máxima.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>heading</source>
+        <translation>rumbo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>ángulo de visión horizontal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Sin cuenca visual: {value} desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Sin cuenca visual: un ángulo de visión debe estar entre 0 y 180 grados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Se desconoce el cabeceo o el ángulo de visión vertical: se muestra el sector de visión, no el encuadre de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Which photos show these places?</source>
+        <translation>¿Qué fotos muestran estos lugares?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>search,photo,archive,place,visible,inverse,query,resolution,ranking</source>
+        <translation>búsqueda,foto,archivo,lugar,visible,inverso,consulta,resolución,clasificación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Table of places and the photos that show them: share, pixels per metre, angle, pixel, rank</source>
+        <translation>Tabla de lugares y de las fotos que los muestran: parte, píxeles por metro, ángulo, píxel, puesto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Para cada punto, línea o área de la capa de lugares: las fotografías en cuyo encuadre está y que lo ven, cuántos píxeles recibe un metro de él, con qué inclinación se mira y en qué lugar de la imagen está. Una fila por lugar y foto, la mejor foto de cada lugar primero (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: píxeles para un metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, listos para relaciones con ambas capas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points, lines or areas, in any coordinate system.</source>
+        <translation>Puntos, líneas o áreas, en cualquier sistema de coordenadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Copied to the table.</source>
+        <translation>Se copia a la tabla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Of what is looked for: a tower, a tree top.</source>
+        <translation>De lo que se busca: una torre, la copa de un árbol.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Least visible share (%)</source>
+        <translation>Menor parte visible (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos that show less of a place are left out.</source>
+        <translation>Las fotos que muestran menos de un lugar se dejan fuera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos of places</source>
+        <translation>Fotos de lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of rows</source>
+        <translation>Número de filas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of places that no photo shows</source>
+        <translation>Número de lugares que ninguna foto muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>La capa de lugares está vacía o se halla donde el SRC del MDE no alcanza.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Name of the place</source>
+        <translation>Nombre del lugar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Rank among the photos of the place</source>
+        <translation>Puesto entre las fotos del lugar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Visible share of the place</source>
+        <translation>Parte visible del lugar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Share of the place within the frame</source>
+        <translation>Parte del lugar dentro del encuadre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Column of its middle (px)</source>
+        <translation>Columna de su centro (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Row of its middle (px)</source>
+        <translation>Fila de su centro (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Azimuth from the camera (° from true north)</source>
+        <translation>Acimut desde la cámara (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Elevation angle from the camera (°)</source>
+        <translation>Ángulo de elevación desde la cámara (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Pixels per metre</source>
+        <translation>Píxeles por metro</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Quality: pixels per metre of ground in the worse direction</source>
+        <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
+    </message>
+</context>
+</TS>

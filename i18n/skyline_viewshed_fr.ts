@@ -1,0 +1,2520 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>SkylineViewshed</name>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: geotagged photos to viewsheds</source>
+        <translation>Modèle : des photos géolocalisées aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: recorded headings to viewsheds</source>
+        <translation>Modèle : des azimuts enregistrés aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: land cover that photos show</source>
+        <translation>Modèle : occupation du sol montrée par les photos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Models</source>
+        <translation>Modèles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Photographs</source>
+        <translation>Photographies</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Terrain and visibility</source>
+        <translation>Relief et visibilité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>All in one</source>
+        <translation>Tout en un</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>From the photo to the map</source>
+        <translation>De la photo à la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Checks and simulation</source>
+        <translation>Contrôles et simulation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Reference</source>
+        <translation>Référence</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Annulé. Rien n'a été écrit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
+        <translation>{name} ne peut pas être écrit : {folder} n'est pas un dossier où vous pouvez écrire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Point de photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo</source>
+        <translation>Photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Cellules de la zone qu'elle montre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Part de la zone qu'elle montre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Rang parmi les photos nécessaires les moins nombreuses ; NULL : pas nécessaire</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Cellules qu'elle ajoute à celles choisies avant elle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Part de la zone montrée par les choix jusqu'ici</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Meilleure résolution au sol</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Directed viewshed</source>
+        <translation>Bassin visuel dirigé</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>viewshed,visibility,photo,field of view,frustum,wedge,dem,sector</source>
+        <translation>bassin visuel,visibilité,photo,angle de champ,pyramide de vue,secteur,MNT,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Ground that oriented photographs show: cumulative raster and one polygon per photo</source>
+        <translation>Terrain montré par des photos orientées : raster cumulé et un polygone par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
+        <translation>Examine chaque cellule du modèle numérique de terrain à portée : est-elle vue, et se trouve-t-elle dans l'image ? &lt;i&gt;Cadre de la photo&lt;/i&gt; utilise l'azimut de visée, le tangage, le roulis et les deux angles de champ ; &lt;i&gt;secteur de visée&lt;/i&gt; seulement l'azimut et l'angle de champ horizontal ; &lt;i&gt;cercle complet&lt;/i&gt; rien de cela.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
+        <translation>Le raster suit la grille du MNT et compte les photos qui voient une cellule ; nodata là où on ne le sait pas. Les polygones portent la surface sur l'ellipsoïde (m²) et la plus grande distance (m). Les azimuts sont géographiques et les distances en mètres au sol, quel que soit le système de coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Oriented photo points</source>
+        <translation>Points de photos orientées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the camera's elevation (m)</source>
+        <translation>Champ de l'altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitude absolue dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Bassin visuel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Terrain visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folder for one raster per photo</source>
+        <translation>Dossier pour un raster par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>GeoTIFFs: 1 seen, 0 not seen, nodata unknown.</source>
+        <translation>GeoTIFF : 1 vu, 0 non vu, nodata inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of viewsheds</source>
+        <translation>Nombre de bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the heading (°)</source>
+        <translation>Champ de l'azimut de visée (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>True, clockwise from north.</source>
+        <translation>Géographique, dans le sens horaire depuis le nord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the horizontal field of view (°)</source>
+        <translation>Champ de l'angle de champ horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Of the upright picture.</source>
+        <translation>De l'image redressée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the pitch (°)</source>
+        <translation>Champ du tangage (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Up is positive. NULL: wedge, not frame.</source>
+        <translation>Positif vers le haut. NULL : secteur au lieu du cadre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the roll (°)</source>
+        <translation>Champ du roulis (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Right side down is positive. NULL: 0.</source>
+        <translation>Positif si le côté droit est plus bas. NULL : 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Field with the vertical field of view (°)</source>
+        <translation>Champ de l'angle de champ vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>NULL: wedge, not frame.</source>
+        <translation>NULL : secteur au lieu du cadre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Drape photos over the terrain</source>
+        <translation>Draper les photos sur le relief</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>orthophoto,drape,rectify,texture,mosaic,photo,rgba,ground sampling distance</source>
+        <translation>orthophoto,draper,redresser,texture,mosaïque,photo,RGBA,résolution au sol</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Colour raster on the DEM's grid: each cell as the photo shows it, transparent where hidden</source>
+        <translation>Raster en couleurs sur la grille du MNT : chaque cellule comme la photo la montre, transparente là où elle est cachée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
+        <translation>Chaque cellule vue par une photo prend la couleur des pixels qui la montrent ; le reste est transparent. Plusieurs photos sont fondues : celle qui voit la cellule le plus finement l'emporte, et chacune s'estompe vers ses bords.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
+        <translation>Le second raster donne la résolution au sol de la meilleure photo en mètres par pixel : bande 1 en travers de la ligne de visée, bande 2 le long de celle-ci sur la pente, grande là où la vue est rasante. Les arbres et les personnes de l'image sont drapés aussi : le MNT ne les connaît pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Cells per side of a DEM cell</source>
+        <translation>Cellules par côté d'une cellule du MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>1: the DEM's own grid. 4: sixteen times as many cells, for a photo finer than the DEM.</source>
+        <translation>1 : la grille du MNT. 4 : seize fois plus de cellules, pour une photo plus fine que le MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Minimum distance (m)</source>
+        <translation>Distance minimale (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground nearer than this is left out.</source>
+        <translation>Le terrain plus proche est laissé de côté.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Draped photos</source>
+        <translation>Photos drapées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Ground sampling distance</source>
+        <translation>Résolution au sol</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of photos draped</source>
+        <translation>Nombre de photos drapées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Number of cells with colour</source>
+        <translation>Nombre de cellules colorées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>The point names no photo.</source>
+        <translation>Le point ne désigne aucune photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Aucune photo ne montre de terrain de ce MNT : il n'y a rien à draper.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>Le modèle numérique de terrain ne peut pas être lu. Choisissez un fichier raster contenant des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>Le modèle numérique de terrain vient d'une source {provider}. Enregistrez-le d'abord en GeoTIFF et choisissez celui-ci.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Extract skyline</source>
+        <translation>Extraire la ligne d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>photo,skyline,horizon,sky,segmentation,ridge,overlay</source>
+        <translation>photo,ligne d'horizon,horizon,ciel,segmentation,crête,superposition,skyline</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Boundary between sky and terrain in photographs, with a confidence per column</source>
+        <translation>Limite entre le ciel et le terrain dans les photos, avec une confiance par colonne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
+        <translation>Écrit une ligne par colonne de l'image : &lt;b&gt;column&lt;/b&gt; et &lt;b&gt;row&lt;/b&gt; sont des pixels de l'image entière redressée (le premier pixel vaut 0, row = premier pixel de terrain), &lt;b&gt;confidence&lt;/b&gt; va de 0 (aucune limite crédible, interpolé) à 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
+        <translation>Là où la ligne d'horizon automatique est fausse, corrigez la table à la main et donnez-la à &lt;i&gt;Orienter des photos&lt;/i&gt; comme &lt;i&gt;Lignes d'horizon dessinées&lt;/i&gt;. Les superpositions sont des images PNG pour en juger.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Skylines</source>
+        <translation>Lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Folder of overlays</source>
+        <translation>Dossier des superpositions</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One PNG per photograph with its skyline.</source>
+        <translation>Un PNG par photo avec sa ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Number of skylines</source>
+        <translation>Nombre de lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/orientation.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Column (px, from the left)</source>
+        <translation>Colonne (px, depuis la gauche)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Row (px, from the top)</source>
+        <translation>Ligne (px, depuis le haut)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>Confidence (0 to 1)</source>
+        <translation>Confiance (0 à 1)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitude GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Azimut enregistré (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotation selon EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Prise de vue (heure locale de l'appareil)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Focale équivalente 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Angle de champ horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Angle de champ vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Largeur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Hauteur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Référence de l'azimut enregistré (T nord géographique, M nord magnétique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Erreur horizontale du GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Camera</source>
+        <translation>Appareil photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/fields.py"/>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Choisissez un dossier de photos ou une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Choisissez soit un dossier de photos, soit une couche de points de photos, pas les deux.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/folder_photos.py"/>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>Le dossier {folder} n'existe pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon profile</source>
+        <translation>Profil d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>horizon,skyline,panorama,sky view factor,shading,elevation angle,dem</source>
+        <translation>horizon,ligne d'horizon,panorama,facteur de vue du ciel,masque,angle de hauteur,MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle and distance of the horizon around points, and their sky view factor</source>
+        <translation>Hauteur angulaire et distance de l'horizon autour de points, et leur facteur de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
+        <translation>Pour chaque point et chaque azimut : la hauteur angulaire de l'horizon, sa distance et sa position. Les azimuts sont géographiques, les distances en mètres au sol dans tout système de coordonnées du MNT ; la courbure de la Terre et la réfraction sont prises en compte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; est vrai là où le MNT s'arrête avant la portée de recherche et où un terrain plus haut pourrait se trouver au-delà. &lt;b&gt;svf&lt;/b&gt; est le facteur de vue du ciel du point d'origine (1 = ciel dégagé).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the eye stands, in any coordinate system.</source>
+        <translation>Où se tient l'œil, dans tout système de coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth step (°)</source>
+        <translation>Pas d'azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Spacing of the directions; it is rounded so that it divides the circle.</source>
+        <translation>Écart entre les directions ; il est arrondi pour diviser le cercle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Horizon</source>
+        <translation>Horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Number of points with a horizon</source>
+        <translation>Nombre de points avec un horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The point has no usable position.</source>
+        <translation>Le point n'a pas de position utilisable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Source point</source>
+        <translation>Point d'origine</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Azimuth (° from true north)</source>
+        <translation>Azimut (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Elevation angle of the horizon (°)</source>
+        <translation>Hauteur angulaire de l'horizon (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Distance of the horizon (m)</source>
+        <translation>Distance de l'horizon (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Cut off by the DEM's edge</source>
+        <translation>Coupé par le bord du MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>Sky view factor of the source point</source>
+        <translation>Facteur de vue du ciel du point d'origine</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Entité de la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (visible), hidden (caché), outside (hors du cadre), unknown (inconnu)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Colonne (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Ligne (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Distance à l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Hauteur angulaire (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Altitude (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Ligne ou anneau de l'entité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Commence à cette part de sa longueur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Finit à cette part de sa longueur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Plus petite distance (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Plus grande distance (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Part visible de l'entité entière</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Les entités de la carte sont vides, ou se trouvent hors d'atteinte du SCR du MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Import mountain photos</source>
+        <translation>Importer des photos de montagne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>photo,exif,heic,jpeg,geotag,gps,import,focal length,compass</source>
+        <translation>photo,EXIF,HEIC,JPEG,géolocalisation,GPS,import,focale,boussole</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Point layer of the photographs in a folder, with field of view and compass reference</source>
+        <translation>Couche de points des photos d'un dossier, avec angle de champ et référence de la boussole</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Crée un point par photo JPEG ou HEIC qui a une position. Écrit les mêmes champs que &lt;i&gt;Importer des photos géolocalisées&lt;/i&gt; de QGIS et ajoute ce dont l'orientation a besoin : focale équivalente 35 mm, angle de champ, taille de l'image redressée, référence de la boussole (géographique ou magnétique), erreur GPS, appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
+        <translation>Ce qu'un fichier ne dit pas reste NULL. Les photos sans position utilisable et les fichiers illisibles vont, avec la raison, dans la table facultative des photos rejetées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Dossier de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>JPEG and HEIC files are read by content.</source>
+        <translation>Les fichiers JPEG et HEIC sont reconnus à leur contenu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>Sous-dossiers aussi</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Chercher aussi dans tous les dossiers qu'il contient.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Rejected photos</source>
+        <translation>Photos rejetées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Number of rejected photos</source>
+        <translation>Nombre de photos rejetées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>The photo has no GPS position.</source>
+        <translation>La photo n'a pas de position GPS.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Label peaks in photos</source>
+        <translation>Étiqueter les sommets dans les photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>peak,summit,mountain,name,label,annotate,prominence,openstreetmap,geonames</source>
+        <translation>sommet,pic,montagne,nom,étiquette,annoter,proéminence,OpenStreetMap,GeoNames</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
+        <translation>Quels sommets sont dans l'image, visibles ou non, à quelle distance et où ; PNG et SVG annotés</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
+        <translation>Prend une couche de points avec noms et altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), ou cherche les sommets dans le MNT d'après leur proéminence. Chacun est posé sur le point haut voisin du MNT, car les positions publiées et les MNT grossiers diffèrent de centaines de mètres ; puis on cherche si la photo le montre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
+        <translation>Les étiquettes ne se chevauchent jamais ; le sommet le plus important (par proéminence, sinon par sa hauteur au-dessus des autres en vue) obtient la meilleure place. Ceux qui ne trouvent pas de place manquent dans l'image, pas dans la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summits in photos</source>
+        <translation>Sommets dans les photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One PNG and one SVG per photo with the names written in.</source>
+        <translation>Un PNG et un SVG par photo avec les noms inscrits.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Folder for labelled photos</source>
+        <translation>Dossier des photos étiquetées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of summits in frame</source>
+        <translation>Nombre de sommets dans le cadre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Number of visible summits</source>
+        <translation>Nombre de sommets visibles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Summit</source>
+        <translation>Sommet</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height as published, else of the DEM (m)</source>
+        <translation>Altitude publiée, sinon celle du MNT (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Height of the DEM's top (m)</source>
+        <translation>Altitude du point haut du MNT (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Moved to the DEM's top by (m)</source>
+        <translation>Déplacé vers le point haut du MNT de (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>Prominence in the DEM (m), where summits were searched</source>
+        <translation>Proéminence dans le MNT (m), si les sommets ont été cherchés</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>visible, hidden, unknown</source>
+        <translation>visible (visible), hidden (caché), unknown (inconnu)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Distance (m)</source>
+        <translation>Distance (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>La couche de points n'a pas d'entité. Choisissez-en une autre ou videz la sélection.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Point {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>La couche n'a pas de champ {field} ({name}). Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>La couche n'a pas de champ {field}. Choisissez le champ qui contient les chemins des photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map to pixels</source>
+        <translation>De la carte aux pixels</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>project,overlay,photo,pixel,visible,hidden,trail,outline,annotate,augmented</source>
+        <translation>projeter,superposition,photo,pixel,visible,caché,sentier,contour,annoter,réalité augmentée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Where points, lines and areas of the map appear in oriented photos, and what hides them</source>
+        <translation>Où les points, lignes et surfaces de la carte apparaissent dans des photos orientées, et ce qui les cache</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
+        <translation>Les points, les lignes (un sentier) et les surfaces (le contour d'un glacier de 1900) deviennent des coordonnées image. Lignes et contours suivent le relief et sont coupés là où ils passent derrière lui ou sortent de l'image ; chaque morceau dit &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (caché), &lt;b&gt;outside&lt;/b&gt; (hors cadre) ou &lt;b&gt;unknown&lt;/b&gt; (pas d'altitude à cet endroit). Les surfaces disent aussi quelle part en est vue.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
+        <translation>Les coordonnées de sortie sont celles de l'image telle que QGIS la montre sans géoréférencement : x vers la droite, y négatif vers le bas depuis le coin supérieur gauche ; chargez la photo à côté. Les champs &lt;b&gt;x_px&lt;/b&gt; et &lt;b&gt;y_px&lt;/b&gt; comptent depuis le centre du premier pixel, y vers le bas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Map features</source>
+        <translation>Entités de la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
+        <translation>Dans tout système de coordonnées. Les altitudes viennent du MNT, sauf si Z doit être utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Field with names</source>
+        <translation>Champ des noms</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Written to the output and into the pictures.</source>
+        <translation>Écrit dans la sortie et dans les images.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Height above ground (m)</source>
+        <translation>Hauteur au-dessus du sol (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Of what is to be seen.</source>
+        <translation>De ce qui doit être vu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Step along lines (px)</source>
+        <translation>Pas le long des lignes (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>How finely lines are followed.</source>
+        <translation>Finesse avec laquelle les lignes sont suivies.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pictures</source>
+        <translation>Points dans les images</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pictures</source>
+        <translation>Lignes et contours dans les images</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>One PNG and one SVG per photo with the features drawn in; hidden parts are dashed.</source>
+        <translation>Un PNG et un SVG par photo avec les entités dessinées ; les parties cachées sont en tirets.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Folder for annotated photos</source>
+        <translation>Dossier des photos annotées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of points and pieces</source>
+        <translation>Nombre de points et de morceaux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Number of visible points and pieces</source>
+        <translation>Nombre de points et de morceaux visibles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines in pictures</source>
+        <translation>Lignes dans les images</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Measure angular offsets</source>
+        <translation>Mesurer les écarts angulaires</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>accuracy,landmark,offset,skyline,evaluation,table</source>
+        <translation>précision,point de repère,écart,ligne d'horizon,évaluation,table</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Angular offsets between extracted and synthetic skyline from landmark pairs</source>
+        <translation>Écarts angulaires entre ligne d'horizon extraite et synthétique, d'après des paires de points de repère</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Each row of the table is one feature, a summit or a notch, clicked on the skyline of the photograph (extracted) and on the projected horizon (synthetic), in pixels of the upright picture. Offsets are synthetic minus extracted: azimuth positive to the right, elevation positive upwards.</source>
+        <translation>Chaque ligne de la table est un détail, un sommet ou une brèche, pointé sur la ligne d'horizon de la photo (extrait) et sur l'horizon projeté (synthétique), en pixels de l'image redressée. Les écarts sont synthétique moins extrait : en azimut positifs vers la droite, en hauteur positifs vers le haut.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
+        <translation>La table a besoin des champs photo, x_extracted, y_extracted, x_synthetic, y_synthetic (ou x1, y1, x2, y2). La taille de l'image et les angles de champ viennent des champs width, height, hfov, vfov s'ils existent, sinon du fichier photo selon la règle publiée. La sortie donne les moyennes des écarts absolus par photo ; les moyennes sur toutes les paires figurent dans les résultats.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Table of landmark pairs</source>
+        <translation>Table des paires de points de repère</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per pair; pixels of the upright picture.</source>
+        <translation>Une ligne par paire ; pixels de l'image redressée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Field {name}</source>
+        <translation>Champ {name}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Left empty: the first of {names} that the table has.</source>
+        <translation>Vide : le premier de {names} que la table contient.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Offsets per photo</source>
+        <translation>Écarts par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Number of pairs</source>
+        <translation>Nombre de paires</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset over all pairs (°)</source>
+        <translation>Écart moyen en azimut sur toutes les paires (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset over all pairs (°)</source>
+        <translation>Écart moyen en hauteur sur toutes les paires (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset over all pairs (°)</source>
+        <translation>Écart total moyen sur toutes les paires (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no complete pair. Fill photo and all four coordinates.</source>
+        <translation>La table n'a pas de paire complète. Remplissez photo et les quatre coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>The table has no field {field}. It has {fields}; choose the right one under Advanced.</source>
+        <translation>La table n'a pas de champ {field}. Elle a {fields} ; choisissez le bon sous Avancé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean azimuth offset (°)</source>
+        <translation>Écart moyen en azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean elevation offset (°)</source>
+        <translation>Écart moyen en hauteur (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean total offset (°)</source>
+        <translation>Écart total moyen (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed azimuth offset (°)</source>
+        <translation>Écart moyen signé en azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>Mean signed elevation offset (°)</source>
+        <translation>Écart moyen signé en hauteur (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Ce que montre le pixel : ground (sol), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Angle d'incidence (°, 0 de face)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Sol par pixel en travers de la vue (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Ellipse d'erreur, demi-grand axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Ellipse d'erreur, demi-petit axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Direction du grand axe (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Écart type de l'altitude (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Probabilité que le pixel montre un autre terrain, au-delà d'une arête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Distance, quantile 5 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Distance, quantile 95 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Ce qu'il montre : ground (sol), partly ground (sol en partie), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Part de son contour située sur un terrain connu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Morceaux, coupés là où le terrain saute à l'arrière</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Médiane des demi-grands axes des ellipses d'erreur (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Plus grand demi-grand axe des ellipses d'erreur (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Probabilité moyenne qu'il montre un autre terrain, au-delà d'une arête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Probabilité qu'elle contienne la vraie position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>La taille de l'image est inconnue : ses pixels ne peuvent pas être situés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Pas de point de photo orientée pour : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Orient photos</source>
+        <translation>Orienter des photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>photo,heading,azimuth,direction,orientation,pose,skyline,horizon,compass,pitch,roll</source>
+        <translation>photo,azimut,direction,visée,orientation,pose,ligne d'horizon,horizon,boussole,tangage,roulis,heading</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Heading, pitch and roll of mountain photographs from their skyline and a DEM</source>
+        <translation>Azimut de visée, tangage et roulis de photos de montagne d'après leur ligne d'horizon et un MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Compare la ligne d'horizon de chaque photo à l'horizon que le modèle numérique de terrain a à sa position, sur tous les azimuts, et ajuste azimut de visée, tangage, roulis et focale. Aucune boussole n'est nécessaire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; : &lt;i&gt;accepted&lt;/i&gt; (acceptée : fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambiguë : un autre azimut convient presque aussi bien ; voir heading_2 et le rapport), &lt;i&gt;rejected&lt;/i&gt; (rejetée : pas de ligne d'horizon utilisable, ou rien ne convient), &lt;i&gt;failed&lt;/i&gt; (échec : l'entrée est en cause) ; &lt;b&gt;message&lt;/b&gt; dit pourquoi et que faire. heading_lo et heading_hi encadrent le vrai azimut à 90 %.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
+        <translation>Les azimuts se comptent dans le sens horaire depuis le nord géographique. La géométrie d'un point est la position de l'appareil. Pour les photos qui échouent, donnez un azimut approché, un point de repère, une ligne d'horizon dessinée ou un masque de ciel (Avancé).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Photos orientées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Nombre de photos acceptées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>De l'image redressée, en travers de son milieu. NULL : d'après la focale du fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un point sans photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Annulé après {done} photos sur {count}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Une erreur imprévue du programme a arrêté cette photo. Signalez-la, s'il vous plaît, avec les détails du journal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} photos : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Azimut de visée (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Tangage (°, + vers le haut)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Roulis (°, + côté droit plus bas)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Corrélation des lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Corrélation du deuxième meilleur azimut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Deuxième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Troisième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Netteté du pic de corrélation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Status</source>
+        <translation>Statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Azimut enregistré (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Azimut enregistré moins azimut trouvé (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergence des méridiens du MNT (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Appareil au-dessus du MNT (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Portée de recherche (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord gauche de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>{name} n'a pas pu être écrit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Outline panorama</source>
+        <translation>Panorama au trait</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>panorama,horizon,skyline,ridge,outline,360,peaks,labels,svg</source>
+        <translation>panorama,horizon,ligne d'horizon,crête,contour,360,sommets,étiquettes,SVG</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
+        <translation>Horizon et crêtes intérieures tout autour d'un point, étiquetés, en SVG et PNG et en lignes sur la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
+        <translation>Dessine, pour chaque point, l'horizon et chaque crête intérieure qui cache du terrain ; les proches sombres et marquées, les lointaines pâles. Les sommets viennent d'une couche, ou du MNT d'après leur proéminence. Les points de photos orientées voisins (facultatif) montrent leur cadre à sa place.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>The line layer holds the same ridges on the map, with distance and elevation angle.</source>
+        <translation>La couche de lignes contient les mêmes crêtes sur la carte, avec distance et hauteur angulaire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
+        <translation>Ceux à moins de 100 m d'un point montrent leur cadre ; champs heading, pitch, roll, hfov, vfov.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Between rays.</source>
+        <translation>Entre les rayons.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Azimuth at the left edge (°)</source>
+        <translation>Azimut du bord gauche (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Where the strip begins.</source>
+        <translation>Où commence la bande.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Pixels per degree</source>
+        <translation>Pixels par degré</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Size of the drawing.</source>
+        <translation>Taille du dessin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Exaggeration of heights</source>
+        <translation>Exagération des hauteurs</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>1: true shape.</source>
+        <translation>1 : forme vraie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>One PNG and one SVG per point.</source>
+        <translation>Un PNG et un SVG par point.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Folder for panoramas</source>
+        <translation>Dossier des panoramas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ridges in view</source>
+        <translation>Crêtes en vue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Number of panoramas</source>
+        <translation>Nombre de panoramas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>horizon or ridge</source>
+        <translation>horizon (horizon) ou ridge (crête)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Begins at azimuth (° from true north)</source>
+        <translation>Commence à l'azimut (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Ends at azimuth (° from true north)</source>
+        <translation>Finit à l'azimut (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Median distance (m)</source>
+        <translation>Distance médiane (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
+        <source>Highest elevation angle (°)</source>
+        <translation>Plus grande hauteur angulaire (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Points de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Un point par photo, dans tout système de coordonnées, par exemple issu de « Importer des photos géolocalisées ». Le point est la position de l'appareil ; un point sans géométrie prend la position inscrite dans la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Champ du chemin de la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Chemin complet de la photo ; un chemin relatif part du dossier de la couche ou du projet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Modèle numérique de terrain (MNT)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre aussi loin que les montagnes visibles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Bande du MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Bande qui contient les altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>robust</source>
+        <translation>robuste</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>article (telle que publiée)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
+        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation de lignes d'horizon telle que publiée, pour comparaison.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Azimut de la boussole enregistré</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>ignore</source>
+        <translation>ignorer</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>utiliser comme indice</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
+        <translation>Ignorer : la boussole est seulement rapportée. Indice : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte sur elle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Hauteur de l'appareil au-dessus du sol (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Mètres au-dessus du MNT, là où aucune altitude absolue n'est donnée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Distance maximale (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Mètres au sol depuis l'appareil. Rien n'est examiné au-delà.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Coefficient de réfraction</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
+        <translation>Part de la courbure de la Terre que l'air compense ; 0,13 est usuel. La courbure est toujours appliquée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Area</source>
+        <translation>Étendue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>photo frame</source>
+        <translation>cadre de la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>secteur de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>full circle</source>
+        <translation>cercle complet</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Cadre de la photo : terrain dans l'image, avec tangage, roulis et les deux angles de champ. Secteur de visée : tout le terrain dans l'angle de champ horizontal. Cercle complet : tout ce qui se voit depuis le lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>Fichiers HTML (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
+        <translation>Un fichier HTML autonome avec figures, chiffres et conseils par photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>Aucune photo (JPEG, HEIC) dans {folder}. Choisissez un autre dossier, ou incluez les sous-dossiers.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Coverage of a photo collection</source>
+        <translation>Couverture d'une collection de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>coverage,blind spot,viewshed,cumulative,set cover,monitoring,fewest,photos,gsd</source>
+        <translation>couverture,angle mort,bassin visuel,cumulé,couverture d'ensemble,suivi,moins de photos,résolution au sol</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>How often and how finely each cell is photographed, blind spots, and the fewest photos needed</source>
+        <translation>Combien de fois et avec quelle finesse chaque cellule est photographiée, angles morts, et photos nécessaires les moins nombreuses</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Counts the photographs that see each cell of the area (0 is a blind spot) and gives the finest ground sampling distance among them in metres per pixel, across the line of sight.</source>
+        <translation>Compte les photos qui voient chaque cellule de la zone (0 est un angle mort) et donne la résolution au sol la plus fine d'entre elles en mètres par pixel, en travers de la ligne de visée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
+        <translation>La table dit combien chaque photo montre, et lesquelles sont nécessaires : aussi peu que possible qui montrent ensemble tout ce que montre la collection, dans l'ordre de ce que chacune ajoute (&lt;b&gt;pick&lt;/b&gt;). PROVEN est vrai s'il n'existe pas de choix plus petit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
+        <translation>Seul le terrain à l'intérieur compte. Vide : tout le MNT, pour autant qu'il soit à portée d'une photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos and what they add</source>
+        <translation>Photos et ce qu'elles ajoutent</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Share of the area seen by at least one</source>
+        <translation>Part de la zone vue par au moins une</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Number of cells that no photo sees</source>
+        <translation>Nombre de cellules qu'aucune photo ne voit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Fewest photos that see all that the collection sees</source>
+        <translation>Photos les moins nombreuses qui montrent tout ce que montre la collection</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>No smaller choice exists</source>
+        <translation>Il n'existe pas de choix plus petit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>None of the points is an oriented photo on this DEM.</source>
+        <translation>Aucun des points n'est une photo orientée sur ce MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>La zone est vide, ou se trouve hors d'atteinte du SCR du MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Des photos aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
+        <translation>photo,bassin visuel,azimut,orientation,ligne d'horizon,visibilité,HEIC,EXIF,rapport,lot,viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>From mountain photographs and a DEM to headings, ground in view and a report</source>
+        <translation>De photos de montagne et d'un MNT aux azimuts de visée, au terrain visible et à un rapport</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
+        <translation>Lit des photos géolocalisées, trouve pour chacune dans quelle direction elle regarde, d'après sa ligne d'horizon et le modèle numérique de terrain, et calcule le terrain qu'elle montre. Choisissez un dossier, ou une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
+        <translation>Ouvrez le rapport pour juger chaque appariement : une fiche par photo, avec l'horizon dessiné sur l'image. Les photos dont l'azimut est douteux (statut &lt;i&gt;ambiguous&lt;/i&gt;) n'ont pas de bassin visuel, sauf si vous le demandez sous Avancé ; avec la méthode &lt;i&gt;article&lt;/i&gt;, qui ne vérifie pas ses réponses, toutes en ont un.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Distances are ground metres and headings count from true north, whatever the coordinate systems.</source>
+        <translation>Les distances sont des mètres au sol et les azimuts partent du nord géographique, quels que soient les systèmes de coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>Fichiers JPEG et HEIC avec une position GPS.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Folders inside the folder too</source>
+        <translation>Sous-dossiers du dossier aussi</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Viewsheds of doubtful photos too</source>
+        <translation>Bassins visuels des photos douteuses aussi</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Search range of the horizon (m)</source>
+        <translation>Portée de recherche de l'horizon (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres.</source>
+        <translation>Jusqu'où peuvent se trouver les montagnes de la ligne d'horizon, en mètres au sol.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Show the ground for the best heading even where another is as likely.</source>
+        <translation>Montre le terrain du meilleur azimut même si un autre est aussi probable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>Le point ne désigne aucune photo : il n'y a pas d'image sur laquelle dessiner.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Entités de l'image</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Points, lignes ou polygones dont les coordonnées sont des pixels de l'image redressée (dessinés dans QGIS sur la photo même, où y est négatif, ou y compté vers le bas), ou une table avec les champs x et y. Un champ photo désigne la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Entités de l'image d'un outil d'annotation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Fichiers d'annotation (*.json *.geojson *.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON en coordonnées pixel, ou CSV avec photo, x, y (et feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Donnez des entités de l'image : une couche, ou un fichier d'un outil d'annotation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Les entités de l'image sont vides : dessinez d'abord quelque chose sur une photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Pixels to map (monoplotting)</source>
+        <translation>Des pixels à la carte (monoplotting)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>monoplotting,pixel,photo,georeference,digitise,glacier,labelme,coco,via,ellipse,accuracy</source>
+        <translation>monoplotting,pixel,photo,géoréférencer,numériser,glacier,LabelMe,COCO,VIA,ellipse,précision</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points, lines and areas drawn on oriented photos become map features with an error ellipse</source>
+        <translation>Les points, lignes et surfaces dessinés sur des photos orientées deviennent des entités de carte avec une ellipse d'erreur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
+        <translation>La ligne de visée de chaque pixel est suivie jusqu'au modèle numérique de terrain, avec la courbure de la Terre et la réfraction. Lignes et contours sont suivis pixel par pixel et coupés là où le terrain saute à l'arrière. Les pixels qui rencontrent le ciel, une lacune du MNT ou son bord le disent dans &lt;b&gt;status&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
+        <translation>L'ellipse d'erreur contient la vraie position avec la probabilité choisie, compte tenu de l'incertitude de l'azimut, du tangage, du roulis, de la focale, de la position et du MNT. &lt;b&gt;p_other&lt;/b&gt; est la probabilité que le pixel montre un tout autre terrain, au-delà d'une arête dans l'image : méfiez-vous près des crêtes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Probability that the ellipse holds (%)</source>
+        <translation>Probabilité que l'ellipse contient (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>90 % is usual.</source>
+        <translation>90 % est usuel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines and outlines are followed in steps of this.</source>
+        <translation>Lignes et contours sont suivis par pas de cette taille.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Points on the map</source>
+        <translation>Points sur la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Lines on the map</source>
+        <translation>Lignes sur la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Areas on the map</source>
+        <translation>Surfaces sur la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Error ellipses</source>
+        <translation>Ellipses d'erreur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of map features</source>
+        <translation>Nombre d'entités de carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Number of features that meet no ground</source>
+        <translation>Nombre d'entités qui ne rencontrent aucun terrain</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/reporting.py"/>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Champ d'un azimut approché (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
+        <translation>Azimut géographique, dans le sens horaire depuis le nord, près duquel la réponse doit se trouver. NULL : aucun.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Field with the tolerance of that heading (°)</source>
+        <translation>Champ de la tolérance de cet azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <translation>De combien l'azimut peut s'écarter de l'approché. NULL : 20 degrés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Points de repère</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
+        <translation>Points de la carte vus dans les photos : champs photo, x et y (pixels de l'image redressée, le premier vaut 0), éventuellement elevation (m). Un seul suffit pour déterminer l'azimut.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Drawn skylines</source>
+        <translation>Lignes d'horizon dessinées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
+        <translation>Table avec les champs photo, column et row (pixels de l'image redressée) : les sommets de la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Folder of sky masks</source>
+        <translation>Dossier de masques de ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
+        <translation>Images nommées comme les photos (IMG_1.png pour IMG_1.heic) dans lesquelles le ciel est blanc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
+        <translation>La table {parameter} a besoin des champs photo, x et y (ou column et row) ; elle a {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/rescue.py"/>
+        <source>The folder of sky masks {folder} does not exist.</source>
+        <translation>Le dossier de masques de ciel {folder} n'existe pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Simulate photos</source>
+        <translation>Simuler des photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>render,view,panorama,synthetic,photo,preview,test data</source>
+        <translation>rendu,vue,panorama,synthétique,photo,aperçu,données de test</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What would a photograph from here look like?</source>
+        <translation>À quoi ressemblerait une photo prise d'ici ?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Renders sun, snow, haze, sky and clouds over the elevation model and writes real JPEG or HEIC files with position, compass heading and focal length, for planning photographs, for tests and for practice.</source>
+        <translation>Calcule soleil, neige, brume, ciel et nuages au-dessus du modèle numérique de terrain et écrit de vrais fichiers JPEG ou HEIC avec position, azimut de boussole et focale, pour préparer des prises de vue, pour des tests et pour s'exercer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Heading, pitch and roll come from fields (NULL: 0 for pitch and roll; points without a heading are skipped). The same seed gives the same pictures. The compass heading written is the exact one.</source>
+        <translation>Azimut de visée, tangage et roulis viennent de champs (NULL : 0 pour tangage et roulis ; les points sans azimut sont ignorés). La même graine donne les mêmes images. L'azimut de boussole écrit est l'azimut exact.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Points with heading</source>
+        <translation>Points avec azimut de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Width (px)</source>
+        <translation>Largeur (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Height (px)</source>
+        <translation>Hauteur (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Size of the upright picture.</source>
+        <translation>Taille de l'image redressée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>HEIC needs the Python package pillow-heif.</source>
+        <translation>HEIC exige le paquet Python pillow-heif.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Where the pictures go.</source>
+        <translation>Où vont les images.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>The point has no usable position or no heading.</source>
+        <translation>Le point n'a pas de position utilisable ou pas d'azimut de visée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Positif vers le haut. NULL : 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>NULL: 65 degrees.</source>
+        <translation>NULL : 65 degrés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Clouds</source>
+        <translation>Nuages</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>behind the ridge</source>
+        <translation>derrière la crête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>lid over the ridge</source>
+        <translation>couvercle sur la crête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>fog</source>
+        <translation>brouillard</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>in the valley</source>
+        <translation>dans la vallée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Foreground</source>
+        <translation>Premier plan</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>trees</source>
+        <translation>arbres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>people</source>
+        <translation>personnes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Degrees.</source>
+        <translation>Degrés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Of everything random.</source>
+        <translation>De tout ce qui est aléatoire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Weather of the scene.</source>
+        <translation>Temps qu'il fait dans la scène.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of clouds</source>
+        <translation>Part des nuages</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>0 to 1.</source>
+        <translation>0 à 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>What stands near the camera.</source>
+        <translation>Ce qui se trouve près de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of foreground</source>
+        <translation>Part du premier plan</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Azimuth of the sun (°)</source>
+        <translation>Azimut du soleil (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation of the sun (°)</source>
+        <translation>Hauteur angulaire du soleil (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Visual range (m)</source>
+        <translation>Visibilité (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Haze; small is hazy.</source>
+        <translation>Brume ; petit veut dire brumeux.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Terrain beyond is left out.</source>
+        <translation>Le terrain au-delà est laissé de côté.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Snow line (m)</source>
+        <translation>Limite de la neige (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation; empty: by the relief in view.</source>
+        <translation>Altitude ; vide : d'après le relief en vue.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Tree line (m)</source>
+        <translation>Limite de la forêt (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Sensor noise</source>
+        <translation>Bruit du capteur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>In 8-bit steps at mid-grey.</source>
+        <translation>En pas de 8 bits à gris moyen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Points avec noms et altitudes. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Les sommets sans nom sont laissés de côté.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Champ des altitudes (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>Un texte comme 4478 est lu aussi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Proéminence minimale (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>Des sommets trouvés dans le MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Rayon de recherche autour d'un sommet publié (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0 : prendre la position telle que publiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>La couche de sommets n'a pas de champ {field}. Choisissez le champ des noms.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>Issus de « Orienter des photos », ou tout point avec azimut de visée, tangage, roulis et angle de champ.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Utilisé seulement là où la photo elle-même manque.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolue, dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Incertitude de l'azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Écart type, là où les points n'ont pas heading_lo et heading_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Incertitude du tangage (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Écart type.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Incertitude du roulis (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Incertitude de la focale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Incertitude de la position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Écart type de la position de l'appareil, vers l'est et vers le nord chacun ; remplacé par un champ h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Incertitude de l'altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Erreur altimétrique du MNT (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La photo n'a pas d'angle de champ horizontal entre 0 et 180 degrés ; orientez-la d'abord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Terrain visible le plus lointain</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>Le polygone de {name} n'a pas pu être construit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Terrain visible (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Terrain visible le plus lointain (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Hauteur de la cible au-dessus du sol (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Hauteur de ce qui est regardé ; 0 demande le sol lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>Le terrain plus proche n'est pas déclaré vu, mais cache ce qui est derrière lui.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>La distance minimale doit être plus petite que la distance maximale.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>heading</source>
+        <translation>azimut de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>angle de champ horizontal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Pas de bassin visuel : {value} inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Pas de bassin visuel : un angle de champ doit être compris entre 0 et 180 degrés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Le tangage ou l'angle de champ vertical est inconnu : c'est le secteur de visée qui est montré, pas le cadre de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Annulé après {done} bassins visuels sur {count}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Which photos show these places?</source>
+        <translation>Quelles photos montrent ces lieux ?</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>search,photo,archive,place,visible,inverse,query,resolution,ranking</source>
+        <translation>recherche,photo,archive,lieu,visible,inverse,requête,résolution,classement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Table of places and the photos that show them: share, pixels per metre, angle, pixel, rank</source>
+        <translation>Table des lieux et des photos qui les montrent : part, pixels par mètre, angle, pixel, rang</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Pour chaque point, ligne ou surface de la couche de lieux : les photos dont le cadre le contient et qui le voient, combien de pixels en reçoit un mètre, sous quelle incidence il est vu, et où il se trouve dans l'image. Une ligne par lieu et photo, la meilleure photo de chaque lieu en premier (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : pixels pour un mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, prêts pour des relations avec les deux couches.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points, lines or areas, in any coordinate system.</source>
+        <translation>Points, lignes ou surfaces, dans tout système de coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Copied to the table.</source>
+        <translation>Copié dans la table.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Of what is looked for: a tower, a tree top.</source>
+        <translation>De ce qui est cherché : une tour, une cime d'arbre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Least visible share (%)</source>
+        <translation>Part visible minimale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos that show less of a place are left out.</source>
+        <translation>Les photos qui montrent moins d'un lieu sont laissées de côté.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photos of places</source>
+        <translation>Photos des lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of rows</source>
+        <translation>Nombre de lignes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Number of places that no photo shows</source>
+        <translation>Nombre de lieux qu'aucune photo ne montre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
+        <translation>La couche de lieux est vide, ou se trouve hors d'atteinte du SCR du MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Name of the place</source>
+        <translation>Nom du lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Rank among the photos of the place</source>
+        <translation>Rang parmi les photos du lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Visible share of the place</source>
+        <translation>Part visible du lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Share of the place within the frame</source>
+        <translation>Part du lieu dans le cadre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Column of its middle (px)</source>
+        <translation>Colonne de son milieu (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Row of its middle (px)</source>
+        <translation>Ligne de son milieu (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Azimuth from the camera (° from true north)</source>
+        <translation>Azimut depuis l'appareil (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Elevation angle from the camera (°)</source>
+        <translation>Hauteur angulaire depuis l'appareil (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Pixels per metre</source>
+        <translation>Pixels par mètre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Quality: pixels per metre of ground in the worse direction</source>
+        <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
+    </message>
+</context>
+</TS>

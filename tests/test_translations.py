@@ -1,0 +1,150 @@
+"""The catalogues: complete against the source as it is now, faithful in what must not change, and in force in QGIS."""
+
+from __future__ import annotations
+
+import ast
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from skyline_viewshed.tools import make_translations as translations
+
+ROOT = Path(__file__).resolve().parent.parent
+STRINGS = translations.source_strings()
+LANGUAGES = translations.LANGUAGES
+
+
+def shell_modules():
+    return [path for pattern in translations.SOURCES for path in sorted(ROOT.glob(pattern))]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_string_of_the_source_is_translated(language):
+    """After a change of strings: make translations, then translate what i18n/*.ts marks as unfinished."""
+    assert translations.faults(language, STRINGS) == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_translations_end_as_their_source_does(language):
+    finished = translations.read_catalogue(translations.catalogue_path(language))
+    for source, translation in finished.items():
+        assert translation == translation.strip()
+        if source[-1] in ".?:":
+            assert translation[-1] == source[-1], source
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_languages_are_not_copies_of_english(language):
+    finished = translations.read_catalogue(translations.catalogue_path(language))
+    sentences = [source for source in STRINGS if len(source.split()) >= 4]
+    assert len(sentences) > 200
+    assert [source for source in sentences if finished[source] == source] == []
+
+
+def test_the_catalogues_say_their_language():
+    for language in LANGUAGES:
+        root = ElementTree.parse(translations.catalogue_path(language)).getroot()
+        assert (root.tag, root.get("language")) == ("TS", language)
+        assert [context.findtext("name") for context in root.iter("context")] == [translations.CONTEXT]
+
+
+@pytest.mark.parametrize("path", shell_modules(), ids=lambda path: path.name)
+def test_strings_are_translated_when_used_not_when_loaded(path):
+    """A `tr` at the top level of a module or as a default would run before the translator is there."""
+    pending = list(ast.iter_child_nodes(ast.parse(path.read_text(encoding="utf-8"))))
+    while pending:
+        node = pending.pop()
+        if isinstance(node, ast.Lambda):
+            continue
+        if isinstance(node, ast.FunctionDef):
+            defaults = [default for default in [*node.args.defaults, *node.args.kw_defaults] if default is not None]
+            pending += [*defaults, *node.decorator_list]
+            continue
+        assert not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr"), (
+            f"{path.name}:{node.lineno}"
+        )
+        pending += ast.iter_child_nodes(node)
+
+
+def test_a_catalogue_survives_writing_and_reading(tmp_path):
+    strings = {"A <b>bold</b> & {name}": [("a.py", 1)], 'Said "so" °': [("a.py", 2), ("b.py", 1)], "New": [("b.py", 2)]}
+    known = {"A <b>bold</b> & {name}": "Ein <b>fettes</b> & {name}", 'Said "so" °': "Sagte „so“ °"}
+    path = tmp_path / "test.ts"
+    translations.write_catalogue(path, "de", strings, known)
+    assert translations.read_catalogue(path) == known
+
+
+def test_placeholders_and_tags_are_compared():
+    assert translations.placeholders("{b} of {a}: <b>x</b>") == translations.placeholders("<b>y</b> {a}, {b}")
+    assert translations.placeholders("{a} x") != translations.placeholders("{b} x")
+    assert translations.placeholders("<b>x</b>") != translations.placeholders("<i>x</i>")
+
+
+def test_a_string_that_is_no_literal_is_refused(tmp_path):
+    (tmp_path / "plugin.py").write_text("tr(f'{name} is here')")
+    with pytest.raises(SystemExit, match=r"plugin\.py:1: tr\(\) takes one literal string"):
+        translations.source_strings(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    """Compiled catalogues by language."""
+    if not (shutil.which("lrelease") or shutil.which("lrelease-qt6")):
+        pytest.skip("lrelease is not installed (qttools5-dev-tools)")
+    folder = tmp_path_factory.mktemp("compiled")
+    return {
+        language: translations.compile_catalogue(translations.catalogue_path(language), folder / f"{language}.qm")
+        for language in LANGUAGES
+    }
+
+
+@pytest.mark.parametrize(
+    "language, title", [("de", "Fotos orientieren"), ("es", "Orientar fotos"), ("fr", "Orienter des photos")]
+)
+def test_qgis_shows_the_language(compiled, qgis_app, language, title):
+    from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+    from skyline_viewshed.algorithms.orient_photos import OrientPhotos
+
+    translator = QTranslator()
+    assert translator.load(str(compiled[language]))
+    assert OrientPhotos().displayName() == "Orient photos"
+    QCoreApplication.installTranslator(translator)
+    try:
+        algorithm = OrientPhotos().create()
+        assert algorithm.displayName() == title
+        finished = translations.read_catalogue(translations.catalogue_path(language))
+        labels = [parameter.description() for parameter in algorithm.parameterDefinitions()]
+        assert finished["Elevation model (DEM)"] in labels
+        assert algorithm.name() == "orientphotos"
+    finally:
+        QCoreApplication.removeTranslator(translator)
+    assert OrientPhotos().displayName() == "Orient photos"
+
+
+def test_the_plugin_loads_the_language_of_the_user(compiled, qgis_app, tmp_path, monkeypatch):
+    from skyline_viewshed import plugin as module
+    from skyline_viewshed.algorithms.i18n import tr
+
+    shutil.copy(compiled["de"], tmp_path / "skyline_viewshed_de.qm")
+    monkeypatch.setattr(module, "TRANSLATIONS", tmp_path)
+    monkeypatch.setattr(module, "QgsApplication", SimpleNamespace(locale=lambda: "de_AT"))
+    plugin = module.SkylineViewshedPlugin(None)
+    plugin._install_translation()
+    assert tr("Orient photos") == "Fotos orientieren"
+    plugin.unload()
+    assert tr("Orient photos") == "Orient photos"
+
+
+def test_the_zip_carries_the_compiled_catalogues(compiled):
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a git checkout")
+    done = subprocess.run(["make", "zip"], cwd=ROOT, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(ROOT / "build" / "skyline_viewshed.zip") as archive:
+        names = archive.namelist()
+    assert {f"skyline_viewshed/i18n/skyline_viewshed_{language}.qm" for language in LANGUAGES} <= set(names)
+    assert not [name for name in names if name.endswith(".ts")]
