@@ -112,7 +112,7 @@ def scene(tmp_path_factory):
     width, height, f35 = 800, 600, 28.0
     camera = Camera(width, height, focal_from_35mm_px(width, height, f35))
     truth, positions, metadata = {}, {}, None
-    places = {"north": ((160, 160), Pose(20.0, 2.0, 0.5)), "west": ((200, 120), Pose(260.0, 3.0, 0.0))}
+    places = {"north": ((198, 122), Pose(20.0, 2.0, 0.5)), "west": ((86, 240), Pose(200.0, 2.0, 0.5))}
     for name, (pixel, pose) in places.items():
         longitude, latitude = map(float, dem.position_of(*pixel))
         view = render_view(dem, Observer(longitude, latitude, 2.0), camera, pose, clean_scene(len(truth)))

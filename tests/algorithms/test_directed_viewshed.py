@@ -80,7 +80,7 @@ def test_all_that_is_claimed_lies_in_the_picture(call, scene):
     row, col = np.nonzero(values == 1)
     east, north = frame.to_local(col, row)
     elevation = dem.read(Window(0, 0, *dem.shape))
-    eye = elevation[120, 200] + 1.7
+    eye = elevation[240, 86] + 1.7
     distance = np.hypot(east, north)
     rise = elevation[row, col] - eye - 0.87 * distance**2 / (2 * 6_371_000.0)
     camera = Camera(800, 600, focal_of_fov_px(800, scene.hfov_deg))

@@ -126,7 +126,7 @@ def test_a_labelling_tools_line_and_area_become_map_features(run, scene, oriente
                                         POLYGONS="memory:"))  # fmt: skip
     lines = {f["label"]: f for f in results["LINES"].getFeatures()}
     areas = {f["label"]: f for f in results["POLYGONS"].getFeatures()}
-    assert lines["trail"]["status"] == "ground" and lines["trail"].geometry().length() > 50
+    assert lines["trail"]["status"] == "ground" and lines["trail"].geometry().length() > 30
     assert lines["summit to sky"]["status"] == "partly ground" and 0 < lines["summit to sky"]["ground"] < 1
     assert areas["glacier"].geometry().area() > 100 and areas["glacier"]["err_med"] > 0
     assert areas["cloud"]["status"] == "sky" and areas["cloud"].geometry().isNull()
@@ -197,7 +197,7 @@ def test_draping_colours_what_the_photo_sees_as_the_photo_has_it(run, scene, ori
     assert layer.isValid() and layer.bandCount() == 4 and results["COUNT"] == 2 and results["CELLS"] > 500
     assert layer.dataProvider().colorInterpretation(4) == 6  # alpha
     pixels = read_photo(scene.folder / "north.jpg").pixels
-    x, y = np.array([200.0, 400.0, 600.0]), np.array([560.0, 540.0, 560.0])
+    x, y = np.array([200.0, 400.0, 600.0]), np.array([360.0, 350.0, 360.0])
     placed = place_pixels(known.dem, known.view, x, y)
     close = 0
     for k in range(3):
