@@ -1,26 +1,26 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis labelsEnabled="0" readOnly="0" minScale="100000000" hasScaleBasedVisibilityFlag="0" simplifyAlgorithm="0" simplifyMaxScale="1" maxScale="0" version="3.22.16-Białowieża" styleCategories="AllStyleCategories" simplifyDrawingHints="1" simplifyDrawingTol="1" symbologyReferenceScale="-1" simplifyLocal="1">
+<qgis hasScaleBasedVisibilityFlag="0" simplifyMaxScale="1" symbologyReferenceScale="-1" styleCategories="AllStyleCategories" simplifyDrawingHints="1" maxScale="0" simplifyLocal="1" readOnly="0" minScale="100000000" simplifyAlgorithm="0" simplifyDrawingTol="1" labelsEnabled="0" version="3.22.16-Białowieża">
   <flags>
     <Identifiable>1</Identifiable>
     <Removable>1</Removable>
     <Searchable>1</Searchable>
     <Private>0</Private>
   </flags>
-  <temporal accumulate="0" limitMode="0" enabled="0" endField="" fixedDuration="0" mode="0" startField="" durationUnit="min" endExpression="" startExpression="" durationField="">
+  <temporal enabled="0" limitMode="0" fixedDuration="0" endField="" durationField="" startExpression="" mode="0" startField="" durationUnit="min" endExpression="" accumulate="0">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <renderer-v2 forceraster="0" type="categorizedSymbol" symbollevels="0" attr="status" enableorderby="0" referencescale="-1">
+  <renderer-v2 type="categorizedSymbol" referencescale="-1" symbollevels="0" attr="status" enableorderby="0" forceraster="0">
     <categories>
-      <category render="true" value="accepted" symbol="0" label="accepted: trust it"/>
-      <category render="true" value="ambiguous" symbol="1" label="ambiguous: look at the report"/>
-      <category render="true" value="rejected" symbol="2" label="rejected: no answer"/>
-      <category render="true" value="failed" symbol="3" label="failed: input at fault"/>
+      <category render="true" label="accepted: trust it" symbol="0" value="accepted"/>
+      <category render="true" label="ambiguous: look at the report" symbol="1" value="ambiguous"/>
+      <category render="true" label="rejected: no answer" symbol="2" value="rejected"/>
+      <category render="true" label="failed: input at fault" symbol="3" value="failed"/>
     </categories>
     <symbols>
-      <symbol type="marker" name="0" alpha="1" clip_to_extent="1" force_rhr="0">
+      <symbol type="marker" clip_to_extent="1" name="0" alpha="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -28,7 +28,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" locked="0" pass="0" class="GeometryGenerator">
+        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -44,7 +44,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" name="@0@0" alpha="1" clip_to_extent="1" force_rhr="0">
+          <symbol type="fill" clip_to_extent="1" name="@0@0" alpha="1" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -52,7 +52,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" locked="0" pass="0" class="SimpleFill">
+            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="31,138,91,70"/>
@@ -80,14 +80,25 @@
               <data_defined_properties>
                 <Option type="Map">
                   <Option type="QString" name="name" value=""/>
-                  <Option name="properties"/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '31,138,91,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '31,138,91,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
                   <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" locked="0" pass="0" class="SvgMarker">
+        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="31,138,91,255"/>
@@ -141,7 +152,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" name="1" alpha="1" clip_to_extent="1" force_rhr="0">
+      <symbol type="marker" clip_to_extent="1" name="1" alpha="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -149,7 +160,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" locked="0" pass="0" class="GeometryGenerator">
+        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -165,7 +176,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" name="@1@0" alpha="1" clip_to_extent="1" force_rhr="0">
+          <symbol type="fill" clip_to_extent="1" name="@1@0" alpha="1" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -173,7 +184,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" locked="0" pass="0" class="SimpleFill">
+            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="230,159,0,70"/>
@@ -201,14 +212,25 @@
               <data_defined_properties>
                 <Option type="Map">
                   <Option type="QString" name="name" value=""/>
-                  <Option name="properties"/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '230,159,0,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '230,159,0,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
                   <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" locked="0" pass="0" class="SvgMarker">
+        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="230,159,0,255"/>
@@ -262,7 +284,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" name="2" alpha="1" clip_to_extent="1" force_rhr="0">
+      <symbol type="marker" clip_to_extent="1" name="2" alpha="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -270,7 +292,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" locked="0" pass="0" class="GeometryGenerator">
+        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -286,7 +308,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" name="@2@0" alpha="1" clip_to_extent="1" force_rhr="0">
+          <symbol type="fill" clip_to_extent="1" name="@2@0" alpha="1" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -294,7 +316,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" locked="0" pass="0" class="SimpleFill">
+            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="122,127,133,70"/>
@@ -322,14 +344,25 @@
               <data_defined_properties>
                 <Option type="Map">
                   <Option type="QString" name="name" value=""/>
-                  <Option name="properties"/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '122,127,133,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '122,127,133,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
                   <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" locked="0" pass="0" class="SvgMarker">
+        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="122,127,133,255"/>
@@ -383,7 +416,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" name="3" alpha="1" clip_to_extent="1" force_rhr="0">
+      <symbol type="marker" clip_to_extent="1" name="3" alpha="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -391,7 +424,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" locked="0" pass="0" class="GeometryGenerator">
+        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -407,7 +440,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" name="@3@0" alpha="1" clip_to_extent="1" force_rhr="0">
+          <symbol type="fill" clip_to_extent="1" name="@3@0" alpha="1" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -415,7 +448,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" locked="0" pass="0" class="SimpleFill">
+            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="192,57,43,70"/>
@@ -443,14 +476,25 @@
               <data_defined_properties>
                 <Option type="Map">
                   <Option type="QString" name="name" value=""/>
-                  <Option name="properties"/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '192,57,43,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '192,57,43,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
                   <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" locked="0" pass="0" class="SvgMarker">
+        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="192,57,43,255"/>
@@ -520,10 +564,10 @@
     </activeChecks>
     <checkConfiguration/>
   </geometryOptions>
-  <legend type="default-vector" showLabelLegend="0"/>
+  <legend showLabelLegend="0" type="default-vector"/>
   <referencedLayers/>
   <fieldConfiguration>
-    <field configurationFlags="None" name="photo">
+    <field name="photo" configurationFlags="None">
       <editWidget type="ExternalResource">
         <config>
           <Option type="Map">
@@ -538,70 +582,70 @@
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="filename">
+    <field name="filename" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="directory">
+    <field name="directory" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="altitude">
+    <field name="altitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="direction">
+    <field name="direction" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="rotation">
+    <field name="rotation" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="longitude">
+    <field name="longitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="latitude">
+    <field name="latitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="timestamp">
+    <field name="timestamp" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="f35">
+    <field name="f35" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="heading">
+    <field name="heading" configurationFlags="None">
       <editWidget type="Range">
         <config>
           <Option type="Map">
@@ -615,161 +659,161 @@
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="pitch">
+    <field name="pitch" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="roll">
+    <field name="roll" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="hfov">
+    <field name="hfov" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="vfov">
+    <field name="vfov" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="ncc">
+    <field name="ncc" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="ncc_2nd">
+    <field name="ncc_2nd" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="heading_2">
+    <field name="heading_2" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="heading_3">
+    <field name="heading_3" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="sharpness">
+    <field name="sharpness" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="heading_lo">
+    <field name="heading_lo" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="heading_hi">
+    <field name="heading_hi" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="p_correct">
+    <field name="p_correct" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="status">
+    <field name="status" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="message">
+    <field name="message" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="compass">
+    <field name="compass" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="compass_df">
+    <field name="compass_df" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="grid_conv">
+    <field name="grid_conv" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="horizon_m">
+    <field name="horizon_m" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="eye_z">
+    <field name="eye_z" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="observ_hgt">
+    <field name="observ_hgt" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="radius">
+    <field name="radius" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="azim_1">
+    <field name="azim_1" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="azim_2">
+    <field name="azim_2" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
@@ -778,152 +822,152 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias field="photo" name="Photo" index="0"/>
-    <alias field="filename" name="Name" index="1"/>
-    <alias field="directory" name="Folder" index="2"/>
-    <alias field="altitude" name="GPS altitude (m)" index="3"/>
-    <alias field="direction" name="Recorded heading (°)" index="4"/>
-    <alias field="rotation" name="Rotation by EXIF (°)" index="5"/>
-    <alias field="longitude" name="Longitude (°)" index="6"/>
-    <alias field="latitude" name="Latitude (°)" index="7"/>
-    <alias field="timestamp" name="Taken at (camera's local time)" index="8"/>
-    <alias field="f35" name="35 mm equivalent focal length (mm)" index="9"/>
-    <alias field="heading" name="Heading (° from true north)" index="10"/>
-    <alias field="pitch" name="Pitch (°, + up)" index="11"/>
-    <alias field="roll" name="Roll (°, + right side down)" index="12"/>
-    <alias field="hfov" name="Horizontal field of view (°)" index="13"/>
-    <alias field="vfov" name="Vertical field of view (°)" index="14"/>
-    <alias field="ncc" name="Correlation of skylines" index="15"/>
-    <alias field="ncc_2nd" name="Correlation of the second-best heading" index="16"/>
-    <alias field="heading_2" name="Second-best heading (°)" index="17"/>
-    <alias field="heading_3" name="Third-best heading (°)" index="18"/>
-    <alias field="sharpness" name="Sharpness of the correlation peak" index="19"/>
-    <alias field="heading_lo" name="Heading, lower end of the 90 % interval (°)" index="20"/>
-    <alias field="heading_hi" name="Heading, upper end of the 90 % interval (°)" index="21"/>
-    <alias field="p_correct" name="Probability that the heading is right within 3°" index="22"/>
-    <alias field="status" name="Status" index="23"/>
-    <alias field="message" name="Message" index="24"/>
-    <alias field="compass" name="Recorded heading (° from true north)" index="25"/>
-    <alias field="compass_df" name="Recorded minus found heading (°)" index="26"/>
-    <alias field="grid_conv" name="Grid convergence of the DEM (°)" index="27"/>
-    <alias field="horizon_m" name="Distance of the horizon at the heading (m)" index="28"/>
-    <alias field="eye_z" name="Elevation of the camera (m)" index="29"/>
-    <alias field="observ_hgt" name="Camera above the DEM (m), for Visibility Analysis" index="30"/>
-    <alias field="radius" name="Search range (m), for Visibility Analysis" index="31"/>
-    <alias field="azim_1" name="Left edge of view (° from grid north), for Visibility Analysis" index="32"/>
-    <alias field="azim_2" name="Right edge of view (° from grid north), for Visibility Analysis" index="33"/>
+    <alias name="Photo" index="0" field="photo"/>
+    <alias name="Name" index="1" field="filename"/>
+    <alias name="Folder" index="2" field="directory"/>
+    <alias name="GPS altitude (m)" index="3" field="altitude"/>
+    <alias name="Recorded heading (°)" index="4" field="direction"/>
+    <alias name="Rotation by EXIF (°)" index="5" field="rotation"/>
+    <alias name="Longitude (°)" index="6" field="longitude"/>
+    <alias name="Latitude (°)" index="7" field="latitude"/>
+    <alias name="Taken at (camera's local time)" index="8" field="timestamp"/>
+    <alias name="35 mm equivalent focal length (mm)" index="9" field="f35"/>
+    <alias name="Heading (° from true north)" index="10" field="heading"/>
+    <alias name="Pitch (°, + up)" index="11" field="pitch"/>
+    <alias name="Roll (°, + right side down)" index="12" field="roll"/>
+    <alias name="Horizontal field of view (°)" index="13" field="hfov"/>
+    <alias name="Vertical field of view (°)" index="14" field="vfov"/>
+    <alias name="Correlation of skylines" index="15" field="ncc"/>
+    <alias name="Correlation of the second-best heading" index="16" field="ncc_2nd"/>
+    <alias name="Second-best heading (°)" index="17" field="heading_2"/>
+    <alias name="Third-best heading (°)" index="18" field="heading_3"/>
+    <alias name="Sharpness of the correlation peak" index="19" field="sharpness"/>
+    <alias name="Heading, lower end of the 90 % interval (°)" index="20" field="heading_lo"/>
+    <alias name="Heading, upper end of the 90 % interval (°)" index="21" field="heading_hi"/>
+    <alias name="Probability that the heading is right within 3°" index="22" field="p_correct"/>
+    <alias name="Status" index="23" field="status"/>
+    <alias name="Message" index="24" field="message"/>
+    <alias name="Recorded heading (° from true north)" index="25" field="compass"/>
+    <alias name="Recorded minus found heading (°)" index="26" field="compass_df"/>
+    <alias name="Grid convergence of the DEM (°)" index="27" field="grid_conv"/>
+    <alias name="Distance of the horizon at the heading (m)" index="28" field="horizon_m"/>
+    <alias name="Elevation of the camera (m)" index="29" field="eye_z"/>
+    <alias name="Camera above the DEM (m), for Visibility Analysis" index="30" field="observ_hgt"/>
+    <alias name="Search range (m), for Visibility Analysis" index="31" field="radius"/>
+    <alias name="Left edge of view (° from grid north), for Visibility Analysis" index="32" field="azim_1"/>
+    <alias name="Right edge of view (° from grid north), for Visibility Analysis" index="33" field="azim_2"/>
   </aliases>
   <defaults>
-    <default expression="" field="photo" applyOnUpdate="0"/>
-    <default expression="" field="filename" applyOnUpdate="0"/>
-    <default expression="" field="directory" applyOnUpdate="0"/>
-    <default expression="" field="altitude" applyOnUpdate="0"/>
-    <default expression="" field="direction" applyOnUpdate="0"/>
-    <default expression="" field="rotation" applyOnUpdate="0"/>
-    <default expression="" field="longitude" applyOnUpdate="0"/>
-    <default expression="" field="latitude" applyOnUpdate="0"/>
-    <default expression="" field="timestamp" applyOnUpdate="0"/>
-    <default expression="" field="f35" applyOnUpdate="0"/>
-    <default expression="" field="heading" applyOnUpdate="0"/>
-    <default expression="" field="pitch" applyOnUpdate="0"/>
-    <default expression="" field="roll" applyOnUpdate="0"/>
-    <default expression="" field="hfov" applyOnUpdate="0"/>
-    <default expression="" field="vfov" applyOnUpdate="0"/>
-    <default expression="" field="ncc" applyOnUpdate="0"/>
-    <default expression="" field="ncc_2nd" applyOnUpdate="0"/>
-    <default expression="" field="heading_2" applyOnUpdate="0"/>
-    <default expression="" field="heading_3" applyOnUpdate="0"/>
-    <default expression="" field="sharpness" applyOnUpdate="0"/>
-    <default expression="" field="heading_lo" applyOnUpdate="0"/>
-    <default expression="" field="heading_hi" applyOnUpdate="0"/>
-    <default expression="" field="p_correct" applyOnUpdate="0"/>
-    <default expression="" field="status" applyOnUpdate="0"/>
-    <default expression="" field="message" applyOnUpdate="0"/>
-    <default expression="" field="compass" applyOnUpdate="0"/>
-    <default expression="" field="compass_df" applyOnUpdate="0"/>
-    <default expression="" field="grid_conv" applyOnUpdate="0"/>
-    <default expression="" field="horizon_m" applyOnUpdate="0"/>
-    <default expression="" field="eye_z" applyOnUpdate="0"/>
-    <default expression="" field="observ_hgt" applyOnUpdate="0"/>
-    <default expression="" field="radius" applyOnUpdate="0"/>
-    <default expression="" field="azim_1" applyOnUpdate="0"/>
-    <default expression="" field="azim_2" applyOnUpdate="0"/>
+    <default applyOnUpdate="0" expression="" field="photo"/>
+    <default applyOnUpdate="0" expression="" field="filename"/>
+    <default applyOnUpdate="0" expression="" field="directory"/>
+    <default applyOnUpdate="0" expression="" field="altitude"/>
+    <default applyOnUpdate="0" expression="" field="direction"/>
+    <default applyOnUpdate="0" expression="" field="rotation"/>
+    <default applyOnUpdate="0" expression="" field="longitude"/>
+    <default applyOnUpdate="0" expression="" field="latitude"/>
+    <default applyOnUpdate="0" expression="" field="timestamp"/>
+    <default applyOnUpdate="0" expression="" field="f35"/>
+    <default applyOnUpdate="0" expression="" field="heading"/>
+    <default applyOnUpdate="0" expression="" field="pitch"/>
+    <default applyOnUpdate="0" expression="" field="roll"/>
+    <default applyOnUpdate="0" expression="" field="hfov"/>
+    <default applyOnUpdate="0" expression="" field="vfov"/>
+    <default applyOnUpdate="0" expression="" field="ncc"/>
+    <default applyOnUpdate="0" expression="" field="ncc_2nd"/>
+    <default applyOnUpdate="0" expression="" field="heading_2"/>
+    <default applyOnUpdate="0" expression="" field="heading_3"/>
+    <default applyOnUpdate="0" expression="" field="sharpness"/>
+    <default applyOnUpdate="0" expression="" field="heading_lo"/>
+    <default applyOnUpdate="0" expression="" field="heading_hi"/>
+    <default applyOnUpdate="0" expression="" field="p_correct"/>
+    <default applyOnUpdate="0" expression="" field="status"/>
+    <default applyOnUpdate="0" expression="" field="message"/>
+    <default applyOnUpdate="0" expression="" field="compass"/>
+    <default applyOnUpdate="0" expression="" field="compass_df"/>
+    <default applyOnUpdate="0" expression="" field="grid_conv"/>
+    <default applyOnUpdate="0" expression="" field="horizon_m"/>
+    <default applyOnUpdate="0" expression="" field="eye_z"/>
+    <default applyOnUpdate="0" expression="" field="observ_hgt"/>
+    <default applyOnUpdate="0" expression="" field="radius"/>
+    <default applyOnUpdate="0" expression="" field="azim_1"/>
+    <default applyOnUpdate="0" expression="" field="azim_2"/>
   </defaults>
   <constraints>
-    <constraint field="photo" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="filename" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="directory" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="altitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="direction" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="rotation" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="longitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="latitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="timestamp" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="f35" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="heading" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="pitch" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="roll" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="hfov" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="vfov" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="ncc" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="ncc_2nd" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="heading_2" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="heading_3" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="sharpness" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="heading_lo" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="heading_hi" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="p_correct" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="status" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="message" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="compass" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="compass_df" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="grid_conv" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="horizon_m" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="eye_z" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="observ_hgt" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="radius" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="azim_1" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="azim_2" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="photo"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="filename"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="directory"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="altitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="direction"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="rotation"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="longitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="latitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="timestamp"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="f35"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="pitch"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="roll"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="hfov"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="vfov"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="ncc"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="ncc_2nd"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_2"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_3"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="sharpness"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_lo"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_hi"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="p_correct"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="status"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="message"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="compass"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="compass_df"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="grid_conv"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="horizon_m"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="eye_z"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="observ_hgt"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="radius"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="azim_1"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="azim_2"/>
   </constraints>
   <constraintExpressions>
-    <constraint desc="" exp="" field="photo"/>
-    <constraint desc="" exp="" field="filename"/>
-    <constraint desc="" exp="" field="directory"/>
-    <constraint desc="" exp="" field="altitude"/>
-    <constraint desc="" exp="" field="direction"/>
-    <constraint desc="" exp="" field="rotation"/>
-    <constraint desc="" exp="" field="longitude"/>
-    <constraint desc="" exp="" field="latitude"/>
-    <constraint desc="" exp="" field="timestamp"/>
-    <constraint desc="" exp="" field="f35"/>
-    <constraint desc="" exp="" field="heading"/>
-    <constraint desc="" exp="" field="pitch"/>
-    <constraint desc="" exp="" field="roll"/>
-    <constraint desc="" exp="" field="hfov"/>
-    <constraint desc="" exp="" field="vfov"/>
-    <constraint desc="" exp="" field="ncc"/>
-    <constraint desc="" exp="" field="ncc_2nd"/>
-    <constraint desc="" exp="" field="heading_2"/>
-    <constraint desc="" exp="" field="heading_3"/>
-    <constraint desc="" exp="" field="sharpness"/>
-    <constraint desc="" exp="" field="heading_lo"/>
-    <constraint desc="" exp="" field="heading_hi"/>
-    <constraint desc="" exp="" field="p_correct"/>
-    <constraint desc="" exp="" field="status"/>
-    <constraint desc="" exp="" field="message"/>
-    <constraint desc="" exp="" field="compass"/>
-    <constraint desc="" exp="" field="compass_df"/>
-    <constraint desc="" exp="" field="grid_conv"/>
-    <constraint desc="" exp="" field="horizon_m"/>
-    <constraint desc="" exp="" field="eye_z"/>
-    <constraint desc="" exp="" field="observ_hgt"/>
-    <constraint desc="" exp="" field="radius"/>
-    <constraint desc="" exp="" field="azim_1"/>
-    <constraint desc="" exp="" field="azim_2"/>
+    <constraint exp="" desc="" field="photo"/>
+    <constraint exp="" desc="" field="filename"/>
+    <constraint exp="" desc="" field="directory"/>
+    <constraint exp="" desc="" field="altitude"/>
+    <constraint exp="" desc="" field="direction"/>
+    <constraint exp="" desc="" field="rotation"/>
+    <constraint exp="" desc="" field="longitude"/>
+    <constraint exp="" desc="" field="latitude"/>
+    <constraint exp="" desc="" field="timestamp"/>
+    <constraint exp="" desc="" field="f35"/>
+    <constraint exp="" desc="" field="heading"/>
+    <constraint exp="" desc="" field="pitch"/>
+    <constraint exp="" desc="" field="roll"/>
+    <constraint exp="" desc="" field="hfov"/>
+    <constraint exp="" desc="" field="vfov"/>
+    <constraint exp="" desc="" field="ncc"/>
+    <constraint exp="" desc="" field="ncc_2nd"/>
+    <constraint exp="" desc="" field="heading_2"/>
+    <constraint exp="" desc="" field="heading_3"/>
+    <constraint exp="" desc="" field="sharpness"/>
+    <constraint exp="" desc="" field="heading_lo"/>
+    <constraint exp="" desc="" field="heading_hi"/>
+    <constraint exp="" desc="" field="p_correct"/>
+    <constraint exp="" desc="" field="status"/>
+    <constraint exp="" desc="" field="message"/>
+    <constraint exp="" desc="" field="compass"/>
+    <constraint exp="" desc="" field="compass_df"/>
+    <constraint exp="" desc="" field="grid_conv"/>
+    <constraint exp="" desc="" field="horizon_m"/>
+    <constraint exp="" desc="" field="eye_z"/>
+    <constraint exp="" desc="" field="observ_hgt"/>
+    <constraint exp="" desc="" field="radius"/>
+    <constraint exp="" desc="" field="azim_1"/>
+    <constraint exp="" desc="" field="azim_2"/>
   </constraintExpressions>
   <expressionfields/>
   <attributeactions/>
-  <attributetableconfig sortExpression="" sortOrder="0" actionWidgetStyle="dropDown">
+  <attributetableconfig sortExpression="" actionWidgetStyle="dropDown" sortOrder="0">
     <columns/>
   </attributetableconfig>
   <conditionalstyles>

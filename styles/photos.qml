@@ -1,20 +1,20 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis labelsEnabled="0" readOnly="0" minScale="100000000" hasScaleBasedVisibilityFlag="0" simplifyAlgorithm="0" simplifyMaxScale="1" maxScale="0" version="3.22.16-Białowieża" styleCategories="AllStyleCategories" simplifyDrawingHints="1" simplifyDrawingTol="1" symbologyReferenceScale="-1" simplifyLocal="1">
+<qgis hasScaleBasedVisibilityFlag="0" simplifyMaxScale="1" symbologyReferenceScale="-1" styleCategories="AllStyleCategories" simplifyDrawingHints="1" maxScale="0" simplifyLocal="1" readOnly="0" minScale="100000000" simplifyAlgorithm="0" simplifyDrawingTol="1" labelsEnabled="0" version="3.22.16-Białowieża">
   <flags>
     <Identifiable>1</Identifiable>
     <Removable>1</Removable>
     <Searchable>1</Searchable>
     <Private>0</Private>
   </flags>
-  <temporal accumulate="0" limitMode="0" enabled="0" endField="" fixedDuration="0" mode="0" startField="" durationUnit="min" endExpression="" startExpression="" durationField="">
+  <temporal enabled="0" limitMode="0" fixedDuration="0" endField="" durationField="" startExpression="" mode="0" startField="" durationUnit="min" endExpression="" accumulate="0">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <renderer-v2 forceraster="0" type="singleSymbol" symbollevels="0" enableorderby="0" referencescale="-1">
+  <renderer-v2 type="singleSymbol" referencescale="-1" symbollevels="0" enableorderby="0" forceraster="0">
     <symbols>
-      <symbol type="marker" name="0" alpha="1" clip_to_extent="1" force_rhr="0">
+      <symbol type="marker" clip_to_extent="1" name="0" alpha="1" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -22,7 +22,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" locked="0" pass="0" class="GeometryGenerator">
+        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -38,7 +38,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" name="@0@0" alpha="1" clip_to_extent="1" force_rhr="0">
+          <symbol type="fill" clip_to_extent="1" name="@0@0" alpha="1" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -46,7 +46,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" locked="0" pass="0" class="SimpleFill">
+            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="47,111,159,70"/>
@@ -74,14 +74,25 @@
               <data_defined_properties>
                 <Option type="Map">
                   <Option type="QString" name="name" value=""/>
-                  <Option name="properties"/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
                   <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" locked="0" pass="0" class="SvgMarker">
+        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="47,111,159,255"/>
@@ -151,10 +162,10 @@
     </activeChecks>
     <checkConfiguration/>
   </geometryOptions>
-  <legend type="default-vector" showLabelLegend="0"/>
+  <legend showLabelLegend="0" type="default-vector"/>
   <referencedLayers/>
   <fieldConfiguration>
-    <field configurationFlags="None" name="photo">
+    <field name="photo" configurationFlags="None">
       <editWidget type="ExternalResource">
         <config>
           <Option type="Map">
@@ -169,28 +180,28 @@
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="filename">
+    <field name="filename" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="directory">
+    <field name="directory" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="altitude">
+    <field name="altitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="direction">
+    <field name="direction" configurationFlags="None">
       <editWidget type="Range">
         <config>
           <Option type="Map">
@@ -204,84 +215,84 @@
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="rotation">
+    <field name="rotation" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="longitude">
+    <field name="longitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="latitude">
+    <field name="latitude" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="timestamp">
+    <field name="timestamp" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="f35">
+    <field name="f35" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="hfov">
+    <field name="hfov" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="vfov">
+    <field name="vfov" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="width">
+    <field name="width" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="height">
+    <field name="height" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="dir_ref">
+    <field name="dir_ref" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="h_acc">
+    <field name="h_acc" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
         </config>
       </editWidget>
     </field>
-    <field configurationFlags="None" name="camera">
+    <field name="camera" configurationFlags="None">
       <editWidget type="">
         <config>
           <Option/>
@@ -290,84 +301,84 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias field="photo" name="Photo" index="0"/>
-    <alias field="filename" name="Name" index="1"/>
-    <alias field="directory" name="Folder" index="2"/>
-    <alias field="altitude" name="GPS altitude (m)" index="3"/>
-    <alias field="direction" name="Recorded heading (°)" index="4"/>
-    <alias field="rotation" name="Rotation by EXIF (°)" index="5"/>
-    <alias field="longitude" name="Longitude (°)" index="6"/>
-    <alias field="latitude" name="Latitude (°)" index="7"/>
-    <alias field="timestamp" name="Taken at (camera's local time)" index="8"/>
-    <alias field="f35" name="35 mm equivalent focal length (mm)" index="9"/>
-    <alias field="hfov" name="Horizontal field of view (°)" index="10"/>
-    <alias field="vfov" name="Vertical field of view (°)" index="11"/>
-    <alias field="width" name="Width of the upright picture (px)" index="12"/>
-    <alias field="height" name="Height of the upright picture (px)" index="13"/>
-    <alias field="dir_ref" name="Recorded heading counts from (T true, M magnetic north)" index="14"/>
-    <alias field="h_acc" name="GPS horizontal error (m)" index="15"/>
-    <alias field="camera" name="Camera" index="16"/>
+    <alias name="Photo" index="0" field="photo"/>
+    <alias name="Name" index="1" field="filename"/>
+    <alias name="Folder" index="2" field="directory"/>
+    <alias name="GPS altitude (m)" index="3" field="altitude"/>
+    <alias name="Recorded heading (°)" index="4" field="direction"/>
+    <alias name="Rotation by EXIF (°)" index="5" field="rotation"/>
+    <alias name="Longitude (°)" index="6" field="longitude"/>
+    <alias name="Latitude (°)" index="7" field="latitude"/>
+    <alias name="Taken at (camera's local time)" index="8" field="timestamp"/>
+    <alias name="35 mm equivalent focal length (mm)" index="9" field="f35"/>
+    <alias name="Horizontal field of view (°)" index="10" field="hfov"/>
+    <alias name="Vertical field of view (°)" index="11" field="vfov"/>
+    <alias name="Width of the upright picture (px)" index="12" field="width"/>
+    <alias name="Height of the upright picture (px)" index="13" field="height"/>
+    <alias name="Recorded heading counts from (T true, M magnetic north)" index="14" field="dir_ref"/>
+    <alias name="GPS horizontal error (m)" index="15" field="h_acc"/>
+    <alias name="Camera" index="16" field="camera"/>
   </aliases>
   <defaults>
-    <default expression="" field="photo" applyOnUpdate="0"/>
-    <default expression="" field="filename" applyOnUpdate="0"/>
-    <default expression="" field="directory" applyOnUpdate="0"/>
-    <default expression="" field="altitude" applyOnUpdate="0"/>
-    <default expression="" field="direction" applyOnUpdate="0"/>
-    <default expression="" field="rotation" applyOnUpdate="0"/>
-    <default expression="" field="longitude" applyOnUpdate="0"/>
-    <default expression="" field="latitude" applyOnUpdate="0"/>
-    <default expression="" field="timestamp" applyOnUpdate="0"/>
-    <default expression="" field="f35" applyOnUpdate="0"/>
-    <default expression="" field="hfov" applyOnUpdate="0"/>
-    <default expression="" field="vfov" applyOnUpdate="0"/>
-    <default expression="" field="width" applyOnUpdate="0"/>
-    <default expression="" field="height" applyOnUpdate="0"/>
-    <default expression="" field="dir_ref" applyOnUpdate="0"/>
-    <default expression="" field="h_acc" applyOnUpdate="0"/>
-    <default expression="" field="camera" applyOnUpdate="0"/>
+    <default applyOnUpdate="0" expression="" field="photo"/>
+    <default applyOnUpdate="0" expression="" field="filename"/>
+    <default applyOnUpdate="0" expression="" field="directory"/>
+    <default applyOnUpdate="0" expression="" field="altitude"/>
+    <default applyOnUpdate="0" expression="" field="direction"/>
+    <default applyOnUpdate="0" expression="" field="rotation"/>
+    <default applyOnUpdate="0" expression="" field="longitude"/>
+    <default applyOnUpdate="0" expression="" field="latitude"/>
+    <default applyOnUpdate="0" expression="" field="timestamp"/>
+    <default applyOnUpdate="0" expression="" field="f35"/>
+    <default applyOnUpdate="0" expression="" field="hfov"/>
+    <default applyOnUpdate="0" expression="" field="vfov"/>
+    <default applyOnUpdate="0" expression="" field="width"/>
+    <default applyOnUpdate="0" expression="" field="height"/>
+    <default applyOnUpdate="0" expression="" field="dir_ref"/>
+    <default applyOnUpdate="0" expression="" field="h_acc"/>
+    <default applyOnUpdate="0" expression="" field="camera"/>
   </defaults>
   <constraints>
-    <constraint field="photo" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="filename" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="directory" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="altitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="direction" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="rotation" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="longitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="latitude" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="timestamp" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="f35" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="hfov" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="vfov" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="width" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="height" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="dir_ref" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="h_acc" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
-    <constraint field="camera" notnull_strength="0" constraints="0" unique_strength="0" exp_strength="0"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="photo"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="filename"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="directory"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="altitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="direction"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="rotation"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="longitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="latitude"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="timestamp"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="f35"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="hfov"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="vfov"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="width"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="height"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="dir_ref"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="h_acc"/>
+    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="camera"/>
   </constraints>
   <constraintExpressions>
-    <constraint desc="" exp="" field="photo"/>
-    <constraint desc="" exp="" field="filename"/>
-    <constraint desc="" exp="" field="directory"/>
-    <constraint desc="" exp="" field="altitude"/>
-    <constraint desc="" exp="" field="direction"/>
-    <constraint desc="" exp="" field="rotation"/>
-    <constraint desc="" exp="" field="longitude"/>
-    <constraint desc="" exp="" field="latitude"/>
-    <constraint desc="" exp="" field="timestamp"/>
-    <constraint desc="" exp="" field="f35"/>
-    <constraint desc="" exp="" field="hfov"/>
-    <constraint desc="" exp="" field="vfov"/>
-    <constraint desc="" exp="" field="width"/>
-    <constraint desc="" exp="" field="height"/>
-    <constraint desc="" exp="" field="dir_ref"/>
-    <constraint desc="" exp="" field="h_acc"/>
-    <constraint desc="" exp="" field="camera"/>
+    <constraint exp="" desc="" field="photo"/>
+    <constraint exp="" desc="" field="filename"/>
+    <constraint exp="" desc="" field="directory"/>
+    <constraint exp="" desc="" field="altitude"/>
+    <constraint exp="" desc="" field="direction"/>
+    <constraint exp="" desc="" field="rotation"/>
+    <constraint exp="" desc="" field="longitude"/>
+    <constraint exp="" desc="" field="latitude"/>
+    <constraint exp="" desc="" field="timestamp"/>
+    <constraint exp="" desc="" field="f35"/>
+    <constraint exp="" desc="" field="hfov"/>
+    <constraint exp="" desc="" field="vfov"/>
+    <constraint exp="" desc="" field="width"/>
+    <constraint exp="" desc="" field="height"/>
+    <constraint exp="" desc="" field="dir_ref"/>
+    <constraint exp="" desc="" field="h_acc"/>
+    <constraint exp="" desc="" field="camera"/>
   </constraintExpressions>
   <expressionfields/>
   <attributeactions/>
-  <attributetableconfig sortExpression="" sortOrder="0" actionWidgetStyle="dropDown">
+  <attributetableconfig sortExpression="" actionWidgetStyle="dropDown" sortOrder="0">
     <columns/>
   </attributetableconfig>
   <conditionalstyles>

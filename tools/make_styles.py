@@ -112,6 +112,13 @@ def wedge(colour, heading):
     sector = QgsSimpleFillSymbolLayer(fill)
     sector.setStrokeColor(QColor(colour))
     sector.setStrokeWidth(0.3)
+    # Without a feature there is no wedge: in the legend it would fill a box fifteen times the camera's size.
+    for key, shown in (
+        (QgsSymbolLayer.Property.PropertyFillColor, fill),
+        (QgsSymbolLayer.Property.PropertyStrokeColor, QColor(colour)),
+    ):
+        rgba = ",".join(str(part) for part in shown.getRgb())
+        sector.setDataDefinedProperty(key, QgsProperty.fromExpression(f"if($id is null, '0,0,0,0', '{rgba}')"))
     layer.setSubSymbol(fill_symbol(sector))
     return layer
 
