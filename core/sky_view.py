@@ -1,35 +1,171 @@
-"""How much of the sky a place sees."""
+r"""How much of the sky a place sees: the sky view factor of a point's horizon, and of every cell of an area.
+
+The share of the light of an evenly bright sky that reaches a facet past the terrain, weighted by the cosine of
+incidence::
+
+        1   /                                                        H  zenith angle of the horizon
+    V = --- | cos S sin^2 H + sin S cos(phi - A) (H - sin H cos H) dphi    S, A  slope and aspect of the facet
+       2 pi /
+
+References
+----------
+.. [1] Dozier, J., Frew, J. (1990). Rapid calculation of terrain parameters for radiation modeling from digital
+   elevation data. IEEE Trans. Geosci. Remote Sens. 28, 963-969, doi:10.1109/36.58986 (eq. 7b).
+.. [2] Steger, C. R., Steger, B., Schaer, C. (2022). HORAYZON v1.2. Geosci. Model Dev. 15, 6817-6840,
+   doi:10.5194/gmd-15-6817-2022: the facet's own plane bounds the sky as terrain does.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
+from .angles import difference
+from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
+from .progress import SILENT, checkpoint
+from .terrain import Window, bilinear
 
-def sky_view_factor(profile):
-    """Sky view factor of a level surface under a horizon.
+
+def sky_view_factor(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0):
+    """Sky view factor of one facet.
 
     Parameters
     ----------
-    profile : HorizonProfile
-        Regular in azimuth; directions without a known horizon are left out.
+    azimuth_deg : (A,) array
+        Regular over the circle, clockwise from true north [degrees].
+    horizon_deg : (A, ...) array
+        Elevation angle of the horizon [degrees]; NaN (nothing known) and less than 0 count as the horizontal.
+    slope_deg, aspect_deg : float or array
+        Inclination of the facet and the azimuth to which it falls [degrees]; shape of the horizon's further axes.
 
     Returns
     -------
-    float
-        Share of the radiation of an evenly bright sky that arrives, 0 to 1; NaN where no direction is known.
+    float or array
+        0 to 1; (1 + cos S) / 2 for an unobstructed facet.
+    """
+    horizon = np.nan_to_num(np.asarray(horizon_deg, float), nan=0.0)
+    azimuth = np.asarray(azimuth_deg, float).reshape((-1,) + (1,) * (horizon.ndim - 1))
+    slope, turn = np.radians(slope_deg), np.radians(difference(azimuth, aspect_deg))
+    # Uphill the facet's own plane stands before the sky. Below the horizontal there is haze and ground, but no sky.
+    plane = np.arctan(-np.tan(slope) * np.cos(turn))
+    zenith = np.pi / 2 - np.maximum(np.maximum(np.radians(horizon), 0.0), plane)
+    part = np.cos(slope) * np.sin(zenith) ** 2
+    part = part + np.sin(slope) * np.cos(turn) * (zenith - np.sin(zenith) * np.cos(zenith))
+    return np.clip(part.mean(axis=0), 0.0, 1.0)[()]
+
+
+def sky_view_of_profile(profile, slope_deg=0.0, aspect_deg=0.0):
+    """Sky view factor of a `HorizonProfile`'s observer; a level facet unless told otherwise."""
+    return float(sky_view_factor(profile.azimuth_deg, profile.elevation_deg, slope_deg, aspect_deg))
+
+
+@dataclass(frozen=True)
+class SkyViewOptions:
+    """How to compute sky view factors of an area.
+
+    Attributes
+    ----------
+    azimuths : int
+        Directions searched.
+    max_distance_m : float
+        Search range [m].
+    step_growth : float
+        Samples lie one cell apart at first; each step is longer by this share of the distance.
+    inclined : bool
+        True for the cells' own facets, False for level ones.
+    refraction_coefficient : float
+        k of `apparent_drop_m`.
+    tile : int
+        Cells per side worked on at once.
+    """
+
+    azimuths: int = 32
+    max_distance_m: float = 10_000.0
+    step_growth: float = 0.05
+    inclined: bool = True
+    refraction_coefficient: float = REFRACTION_COEFFICIENT
+    tile: int = 256
+
+    def __post_init__(self):
+        if self.azimuths < 4 or not self.max_distance_m > 0 or not 0 <= self.step_growth <= 1 or self.tile < 8:
+            raise ValueError(f"sky view options out of range: {self}")
+
+
+def sky_view_raster(terrain, window, options=SkyViewOptions(), progress=SILENT):  # noqa: B008 - frozen
+    """Sky view factor of every cell of a window, tile by tile.
+
+    Parameters
+    ----------
+    terrain : Terrain
+        With `position_of`.
+    window : Window
+    options : SkyViewOptions
+    progress : Progress
+
+    Yields
+    ------
+    window : Window
+        A tile.
+    factor : (rows, cols) float32 array
+        NaN where the DEM has no data. Directions and distances are true ones at the tile's centre.
 
     Notes
     -----
-    The mean of cos^2(h) over the azimuths, with h the elevation angle of the horizon, not below the level plane: what
-    lies under the plane of the surface cannot light it.
-
-    References
-    ----------
-    .. [1] Dozier, J., Frew, J., Rapid calculation of terrain parameters for radiation modeling from digital elevation
-       data, IEEE Trans. Geosci. Remote Sens. 28(5), 1990, eq. 7b with zero slope, doi:10.1109/36.58986.
+    The result does not depend on the tiling but for the drift of the grid's scale and north within a tile.
     """
-    elevation_deg = np.asarray(profile.elevation_deg, float)
-    elevation_deg = elevation_deg[np.isfinite(elevation_deg)]
-    if elevation_deg.size == 0:
-        return float("nan")
-    return float(np.mean(np.cos(np.radians(np.maximum(elevation_deg, 0.0))) ** 2))
+    rows = range(window.row, window.row + window.rows, options.tile)
+    cols = range(window.col, window.col + window.cols, options.tile)
+    for done, (row, col) in enumerate((row, col) for row in rows for col in cols):
+        checkpoint(progress, done / (len(rows) * len(cols)))
+        tile = Window(row, col, options.tile, options.tile)
+        last = Window(
+            row, col, min(tile.rows, window.row + window.rows - row), min(tile.cols, window.col + window.cols - col)
+        )
+        yield last, _tile(terrain, last, options)
+
+
+def _tile(terrain, tile, options):
+    centre = tile.col + (tile.cols - 1) / 2, tile.row + (tile.rows - 1) / 2
+    longitude, latitude = (float(value) for value in terrain.position_of(*centre))
+    frame = terrain.frame(longitude, latitude, max(options.max_distance_m, 1000.0))
+    jacobian = frame.jacobian_px_per_m
+    margin = int(np.ceil(options.max_distance_m * np.abs(jacobian).sum(axis=1).max())) + 2
+    around = Window(tile.row - margin, tile.col - margin, tile.rows + 2 * margin, tile.cols + 2 * margin)
+    around = around.clipped(terrain.shape)
+    cells = terrain.read(around)
+    row = np.arange(tile.rows)[:, None] + (tile.row - around.row)
+    col = np.arange(tile.cols)[None, :] + (tile.col - around.col)
+    ground = cells[row, col]
+    azimuth = np.arange(options.azimuths) * (360.0 / options.azimuths)
+    horizon = np.stack([_horizon(cells, ground, row, col, np.radians(one), frame, options) for one in azimuth])
+    slope, aspect = _facets(cells, row, col, jacobian) if options.inclined else (0.0, 0.0)
+    factor = sky_view_factor(azimuth, horizon, slope, aspect).astype(np.float32)
+    return np.where(np.isnan(ground), np.float32(np.nan), factor)
+
+
+def _horizon(cells, ground, row, col, azimuth, frame, options):
+    """Horizon of all cells of a tile in one direction [degrees]: the tile is shifted along the ray."""
+    highest = np.full(ground.shape, -np.inf)
+    along = frame.jacobian_px_per_m @ [np.sin(azimuth), np.cos(azimuth)]
+    distance = frame.cell_m
+    while distance <= options.max_distance_m:
+        # Rounded, so that noise in the twelfth digit gives no weight to a void beside an exactly met cell.
+        z = bilinear(cells, row + np.round(along[1] * distance, 6), col + np.round(along[0] * distance, 6))
+        rise = z - ground - apparent_drop_m(distance, options.refraction_coefficient)
+        np.fmax(highest, rise / distance, out=highest)
+        distance += max(frame.cell_m, options.step_growth * distance)
+    return np.degrees(np.arctan(np.where(np.isfinite(highest), highest, 0.0)))
+
+
+def _facets(cells, row, col, jacobian):
+    """Slope and aspect of cells [degrees], by central differences in true metres."""
+    rows, cols = cells.shape
+    up, down = np.maximum(row - 1, 0), np.minimum(row + 1, rows - 1)
+    left, right = np.maximum(col - 1, 0), np.minimum(col + 1, cols - 1)
+    per_row = (cells[down, col] - cells[up, col]) / np.maximum(down - up, 1)
+    per_col = (cells[row, right] - cells[row, left]) / np.maximum(right - left, 1)
+    east = per_col * jacobian[0, 0] + per_row * jacobian[1, 0]
+    north = per_col * jacobian[0, 1] + per_row * jacobian[1, 1]
+    east, north = np.nan_to_num(east), np.nan_to_num(north)
+    return np.degrees(np.arctan(np.hypot(east, north))), np.degrees(np.arctan2(-east, -north))
