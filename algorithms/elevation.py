@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsRasterLayer
 
 from ..core.errors import TerrainError
 from .i18n import tr
@@ -22,17 +22,20 @@ class DemSource:
         From 1.
     crs : QgsCoordinateReferenceSystem
         As QGIS has it.
+    assigned : str or None
+        WKT of that, where the user has assigned it in place of the file's own.
     """
 
     path: str
     band: int
     crs: QgsCoordinateReferenceSystem
+    assigned: str | None = None
 
     def open(self):
         """Open it as the core's `Dem`; raises `TerrainError`."""
         from ..core.io.raster import open_dem
 
-        return open_dem(self.path, self.band)
+        return open_dem(self.path, self.band, self.assigned)
 
 
 def dem_source(algorithm, parameters, context, name="DEM", band="BAND"):
@@ -46,7 +49,16 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND"):
     fault = layer_fault(layer)
     if fault:
         raise QgsProcessingException(fault)
-    return DemSource(layer.source(), max(algorithm.parameterAsInt(parameters, band, context), 1), layer.crs())
+    number = max(algorithm.parameterAsInt(parameters, band, context), 1)
+    return DemSource(layer.source(), number, layer.crs(), assigned_crs(layer))
+
+
+def assigned_crs(layer):
+    """WKT of the layer's CRS where it is not the one that its file says, else None."""
+    own = QgsRasterLayer(layer.source(), "own", "gdal").crs()
+    if not layer.crs().isValid() or layer.crs() == own:
+        return None
+    return layer.crs().toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)
 
 
 def dem_fault(algorithm, parameters, context, name="DEM", band="BAND"):

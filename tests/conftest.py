@@ -46,7 +46,7 @@ def shared_data():
 
 
 @pytest.fixture(scope="session")
-def shell_environment():
+def shell_environment(tmp_path_factory):
     """Environment in which a plain qgis_process sees the plugin, as `make env` prints it."""
     lines = subprocess.run(
         [ROOT / "tools" / "env.sh"], check=True, capture_output=True, text=True, stdin=subprocess.DEVNULL
@@ -54,7 +54,13 @@ def shell_environment():
     dump = subprocess.run(
         ["bash", "-c", f"{lines}\nexec env -0"], check=True, capture_output=True, stdin=subprocess.DEVNULL
     ).stdout.decode()
-    return dict(entry.split("=", 1) for entry in dump.split("\0") if "=" in entry)
+    environment = dict(entry.split("=", 1) for entry in dump.split("\0") if "=" in entry)
+    if os.environ.get("SKYLINE_BARE") == "1":
+        stubs = tmp_path_factory.mktemp("blocked")
+        for module in BARE_MODULES:
+            (stubs / f"{module}.py").write_text("raise ImportError('blocked for this test')\n")
+        environment["PYTHONPATH"] = f"{stubs}{os.pathsep}{environment['PYTHONPATH']}"
+    return environment
 
 
 @pytest.fixture(scope="session")

@@ -33,7 +33,7 @@ LOWLAND_M = 100.0
 """Terrain of which 99 % lies above this has no sea, so that zeros along its edges are missing data."""
 
 
-def open_dem(path, band=1):
+def open_dem(path, band=1, crs=None):
     """Open an elevation model.
 
     Parameters
@@ -42,6 +42,8 @@ def open_dem(path, band=1):
         Anything that GDAL reads as a raster with a CRS: GeoTIFF, COG, HGT, VRT, ...
     band : int
         Counted from 1.
+    crs : str or None
+        WKT or anything that OSR reads, in place of the file's own: what a user has assigned in QGIS.
 
     Returns
     -------
@@ -58,21 +60,21 @@ def open_dem(path, band=1):
             raise UnusableDemError(f"The DEM {path} does not exist. Check the path.")
         raise UnusableDemError(f"The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.")
     with quiet_gdal():  # GDAL reads, and complains of, the rest of the header only now
-        return _dem(path, dataset, band)
+        return _dem(path, dataset, band, crs)
 
 
-def _dem(path, dataset, band):
+def _dem(path, dataset, band, crs):
     if not 1 <= band <= dataset.RasterCount:
         raise UnusableDemError(f"The DEM {path} has {dataset.RasterCount} band(s), and no band {band}.")
     if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
         raise UnusableDemError(f"Band {band} of {path} holds complex numbers, not elevations.")
-    dem = Dem(path, dataset, band, _crs_wkt(path, dataset), _geotransform(path, dataset))
+    dem = Dem(path, dataset, band, _crs_wkt(path, dataset, crs), _geotransform(path, dataset))
     dem._inspect()
     return dem
 
 
-def _crs_wkt(path, dataset):
-    reference = dataset.GetSpatialRef()
+def _crs_wkt(path, dataset, crs):
+    reference = dataset.GetSpatialRef() if crs is None else spatial_reference(crs)
     if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
         raise UnusableDemError(
             f"The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs)."

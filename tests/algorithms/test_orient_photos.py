@@ -274,3 +274,15 @@ def test_a_fault_of_the_dem_ends_the_batch(run, scene, photo_layer, monkeypatch)
     monkeypatch.setattr(batch, "orient_request", broken)
     with pytest.raises(QgsProcessingException, match="damaged"):
         run("orientphotos", {"INPUT": photo_layer, "DEM": str(scene.dem), "OUTPUT": "memory:"})
+
+
+def test_a_crs_assigned_in_qgis_counts(run, refusal, scene, photo_layer, tmp_path):
+    from qgis.core import QgsRasterLayer
+
+    bare = QgsRasterLayer(dem_copy(tmp_path / "no_crs.tif", scene.dem, crs=False), "dem")
+    parameters = {"INPUT": photo_layer, "DEM": bare, "METHOD": 1, "OUTPUT": "memory:"}
+    assert "coordinate" in refusal("orientphotos", parameters)
+    bare.setCrs(QgsRasterLayer(str(scene.dem), "own").crs())
+    assert refusal("orientphotos", parameters) == ""
+    results, _ = run("orientphotos", parameters)
+    assert [f["status"] for f in results["OUTPUT"].getFeatures()] == ["ambiguous"] * 2
