@@ -14,6 +14,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.errors import Cancelled, SkylineViewshedError
+from .core_sentences import in_users_language
 from .i18n import tr
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -82,7 +83,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         if not passed:
             return passed, message
         message = self._destination_fault(parameters, context) or self.input_fault(parameters, context)
-        return (False, message) if message else (True, "")
+        return (False, in_users_language(message)) if message else (True, "")
 
     def input_fault(self, parameters, context):
         """Sentence about the first input that cannot work, or None."""
@@ -95,7 +96,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         except Cancelled as stop:
             raise QgsProcessingException(tr("Cancelled. Nothing was written.")) from stop
         except SkylineViewshedError as error:
-            raise QgsProcessingException(str(error)) from error
+            raise QgsProcessingException(in_users_language(str(error))) from error
 
     def compute(self, parameters, context, feedback):
         """Do the work and return the outputs."""

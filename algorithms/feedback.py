@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from .core_sentences import in_users_language
 from .i18n import tr
 
 
@@ -30,4 +31,4 @@ def announce(feedback, name, index, count):
 
 def warn(feedback, name, message):
     """Say that one photo or point has a fault while the batch goes on."""
-    feedback.pushWarning(f"{name}: {message}")
+    feedback.pushWarning(f"{name}: {in_users_language(message)}")

@@ -8,5 +8,15 @@ CONTEXT = "SkylineViewshed"
 
 
 def tr(text):
-    """Give `text` in the user's language."""
+    """Give `text`, a literal, in the user's language."""
+    return marked(text)
+
+
+def mark(text):
+    """Put a literal into the catalogue that `marked` translates later, when it is shown."""
+    return text
+
+
+def marked(text):
+    """Give a text that `mark` put into the catalogue in the user's language."""
     return QCoreApplication.translate(CONTEXT, text)

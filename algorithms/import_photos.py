@@ -17,6 +17,7 @@ from ..core.progress import checkpoint
 from . import fields
 from . import parameters as shared
 from .base import SkylineAlgorithm
+from .core_sentences import in_users_language
 from .feedback import FeedbackProgress, announce
 from .i18n import tr
 from .outputs import write_features
@@ -116,7 +117,7 @@ def read_all(paths, feedback):
             metadata = read_metadata(path)
             reason = None if has_position(metadata) else tr("The photo has no GPS position.")
         except PhotoError as error:
-            reason = str(error)
+            reason = in_users_language(str(error))
         if reason is None:
             taken.append((point_of(metadata), attributes_of(metadata)))
         else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.angles import difference, true_to_grid, wrap_360
+from .core_sentences import in_users_language
 from .fields import FieldSpec
 from .i18n import tr
 
@@ -68,7 +69,7 @@ def oriented_values(oriented, max_distance_m):
         "heading_hi": answer.heading_hi_deg,
         "p_correct": answer.p_correct,
         "status": answer.status,
-        "message": " ".join([answer.message, *answer.notes]).strip(),
+        "message": " ".join(map(in_users_language, [answer.message, *answer.notes])).strip(),
         "compass": oriented.compass_true_deg,
         "compass_df": compass_difference(oriented.compass_true_deg, heading),
         "grid_conv": oriented.convergence_deg,

@@ -64,6 +64,341 @@
         <translation>{name} kann nicht geschrieben werden: In {folder} dürfen Sie nicht schreiben, oder es ist kein Ordner.</translation>
     </message>
     <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>GPS-Position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>kleinbildäquivalente Brennweite</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Geben Sie seine Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>Das Foto {a} kann nicht gelesen werden: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>Dem Foto fehlt: {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>Es wurde keine Grenze zwischen Himmel und Gelände gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>Die Position {a}, {b} (Breite, Länge) liegt außerhalb des DGM. Verwenden Sie ein DGM, das sie abdeckt, oder berichtigen Sie die Koordinaten des Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Das DGM hat bei {a}, {b} (Breite, Länge) keine Höhe (NoData). Füllen Sie die Lücke, verwenden Sie ein anderes DGM oder geben Sie die Höhe der Kamera in HEIGHT_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>Die Bildobjekte {a} können nicht gelesen werden: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>Das Koordinatenbezugssystem {a} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>Von {a} nach {b} ist keine Transformation bekannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>Die Datei kann nicht geöffnet werden ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>Zeile {a} hat keine Zahlen für x und y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>Zeile {a} ist unvollständig ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>Ein Eintrag ist unvollständig ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>Die Datei hat keine Pixel. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>{a} x {b} Pixel sind mehr als {c} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>Die Datei endet zu früh, oder ihr Verzeichnis ist beschädigt. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>Die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind 0, 0 (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>Die Halbkugel ist nicht aufgezeichnet; wo sie fehlt, wurden Nord und Ost angenommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>Der Inhalt des Ordners {a} ist nicht zu lesen: {b}. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Das DGM {a} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>Das DGM {a} hat {b} Kanäle und keinen Kanal {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>Kanal {a} von {b} enthält komplexe Zahlen, keine Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Das DGM {a} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Das DGM {a} ist nicht georeferenziert. Bringen Sie es zuerst in ein KBS (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Das DGM {a} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>Das DGM {a} gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>Das DGM {a} kann nicht verortet werden. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>Das DGM {a} ist beschädigt ({b}). Kopieren Sie es neu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>Kanal {a} des DGM {b} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>Das Foto {a} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Das Foto {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>Landmarke {a} ist auf {b} getroffen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
+        <translation>Der Horizont passt auf {a} % der Spalten und sonst nirgends.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} braucht das Python-Paket {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
+        <translation>An {a} Orten fand sich kein Blick auf einen Grat. Verwenden Sie ein DGM mit mehr Relief.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>Das Bild hat nur {a} x {b} Pixel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>Das Bild hat nur eine Farbe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>Die gezeichnete Horizontlinie hat weniger als zwei Punkte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>

@@ -64,6 +64,341 @@
         <translation>No se puede escribir {name}: {folder} no es una carpeta en la que usted pueda escribir.</translation>
     </message>
     <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>posición GPS</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>distancia focal (equivalente en 35 mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Désela con la geometría de una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Dé sus ángulos de visión en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>No se puede leer la foto {a}: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>A la foto le falta: {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>No se halló ningún límite entre cielo y terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Use una foto que muestre una línea del horizonte de montañas, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La posición {a}, {b} (latitud, longitud) está fuera del MDE. Use un MDE que la cubra o corrija las coordenadas de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>El MDE no tiene altitud (sin datos) en {a}, {b} (latitud, longitud). Rellene el hueco, use otro MDE o dé la altitud de la cámara en HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>No se pueden leer los objetos de la imagen {a}: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>No se entiende el sistema de referencia de coordenadas {a}. Asigne uno válido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>No se conoce ninguna transformación de {a} a {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>no se puede abrir ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>no es JSON válido. Expórtelo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>la línea {a} no tiene números para x e y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>la línea {a} está incompleta ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>una entrada está incompleta ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>no tiene píxeles. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>sus {a} x {b} píxeles son más de {c} megapíxeles. Reduzca antes la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>termina antes de tiempo o su directorio está dañado. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>no existe tal archivo. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas son 0, 0 (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>El hemisferio no está registrado; donde falta se han supuesto norte y este.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>No se puede listar la carpeta {a}: {b}. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>El MDE {a} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>El MDE {a} tiene {b} banda(s) y ninguna banda {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>La banda {a} de {b} contiene números complejos, no altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>El MDE {a} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>El MDE {a} no está georreferenciado. Llévelo primero a un SRC (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>El MDE {a} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>El MDE {a} no existe. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>El MDE {a} no se puede situar. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>El MDE {a} está dañado ({b}). Cópielo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>La banda {a} del MDE {b} no tiene ninguna celda válida. Elija otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>No se puede escribir la foto {a}: llámela .jpg o .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir la foto {a}: {b}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>El punto de referencia {a} se acierta con {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
+        <translation>El horizonte encaja en el {a} % de las columnas y en ningún otro sitio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} necesita el paquete de Python {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
+        <translation>En {a} lugares no se halló ninguna vista de una cresta. Use un MDE con más relieve.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>La imagen tiene solo {a} x {b} píxeles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>La imagen tiene un solo color.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La línea del horizonte dibujada tiene menos de dos puntos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>

@@ -64,6 +64,341 @@
         <translation>{name} ne peut pas être écrit : {folder} n'est pas un dossier où vous pouvez écrire.</translation>
     </message>
     <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>position GPS</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>focale (équivalente 35 mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Donnez-la par la géométrie d'une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Donnez ses angles de champ dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>La photo {a} ne peut pas être lue : {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>Il manque à la photo : {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>Aucune limite entre ciel et terrain n'a été trouvée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Utilisez une photo qui montre une ligne d'horizon de montagnes, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La position {a}, {b} (latitude, longitude) se trouve hors du MNT. Utilisez un MNT qui la couvre, ou corrigez les coordonnées de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Le MNT n'a pas d'altitude (nodata) en {a}, {b} (latitude, longitude). Comblez la lacune, utilisez un autre MNT, ou donnez l'altitude de l'appareil dans HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>Les entités de l'image {a} ne peuvent pas être lues : {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>Le système de coordonnées de référence {a} n'est pas compris. Attribuez-en un valide.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>Aucune transformation n'est connue de {a} vers {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>il ne peut pas être ouvert ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>la ligne {a} n'a pas de nombres pour x et y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>la ligne {a} est incomplète ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>une entrée est incomplète ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>il n'a pas de pixels. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>ses {a} x {b} pixels dépassent {c} mégapixels. Réduisez d'abord l'image.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>il finit trop tôt ou son répertoire est endommagé. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>ce fichier n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées sont 0, 0 (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>L'hémisphère n'est pas enregistré ; là où il manque, nord et est ont été supposés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>Le contenu du dossier {a} ne peut pas être lu : {b}. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Le MNT {a} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>Le MNT {a} a {b} bande(s), et pas de bande {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>La bande {a} de {b} contient des nombres complexes, pas des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Le MNT {a} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Le MNT {a} n'est pas géoréférencé. Projetez-le d'abord dans un SCR (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Le MNT {a} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>Le MNT {a} n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>Le MNT {a} ne peut pas être situé. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>Le MNT {a} est endommagé ({b}). Copiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>La bande {a} du MNT {b} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>La photo {a} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>La photo {a} ne peut pas être écrite : {b}. Choisissez un autre dossier ou libérez de la place.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>Le point de repère {a} est atteint à {b} près.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
+        <translation>L'horizon convient sur {a} % des colonnes et nulle part ailleurs.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} exige le paquet Python {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
+        <translation>Aucune vue d'une crête n'a été trouvée en {a} lieux. Utilisez un MNT avec plus de relief.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>L'image n'a que {a} x {b} pixels.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>L'image n'a qu'une couleur.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La ligne d'horizon dessinée a moins de deux points.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -11,6 +12,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from messages import sentences
 from skyline_viewshed.tools import make_translations as translations
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -86,8 +88,31 @@ def test_placeholders_and_tags_are_compared():
 
 def test_a_string_that_is_no_literal_is_refused(tmp_path):
     (tmp_path / "plugin.py").write_text("tr(f'{name} is here')")
-    with pytest.raises(SystemExit, match=r"plugin\.py:1: tr\(\) takes one literal string"):
+    with pytest.raises(ValueError, match=r"plugin\.py:1: tr\(\) takes one literal string"):
         translations.source_strings(tmp_path)
+
+
+def test_every_sentence_of_the_core_has_a_template():
+    from skyline_viewshed.algorithms.core_sentences import SENTENCES
+
+    known = {re.sub(r"\{\w\}", "…", template) for template in SENTENCES}
+    said = {text for where, text in sentences() if where.startswith("core/")}
+    assert len(said) > 50
+    assert said - known == set()
+
+
+def test_a_sentence_of_the_core_is_taken_apart_and_put_together(monkeypatch):
+    from skyline_viewshed.algorithms import core_sentences
+
+    german = translations.read_catalogue(translations.catalogue_path("de"))
+    text = (
+        "The photo /tmp/a b.jpg cannot be read: its 9 x 8 pixels are more than 7 megapixels. Reduce the picture first."
+    )
+    assert core_sentences.in_users_language(text) == text
+    monkeypatch.setattr(core_sentences, "marked", german.get)
+    translated = core_sentences.in_users_language(text)
+    assert "/tmp/a b.jpg" in translated and "9 x 8" in translated and "photo" not in translated
+    assert core_sentences.in_users_language("Nothing we know.") == "Nothing we know."
 
 
 @pytest.fixture(scope="session")

@@ -2,9 +2,9 @@
 
 Usage: make_translations.py [--compile-only | --check]
 
-The source's strings are the literals inside `tr(...)`. What a catalogue already translates stays; new strings come in
-as unfinished, strings that the source no longer has go. A translator edits the .ts files with Qt Linguist or by hand;
-the compiled .qm files are not kept in the repository, `make zip` adds them to the package.
+The source's strings are the literals inside `tr(...)` and `mark(...)`. What a catalogue already translates stays; new
+strings come in as unfinished, strings that the source no longer has go. A translator edits the .ts files with Qt
+Linguist or by hand; the compiled .qm files are not kept in the repository, `make zip` adds them to the package.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def source_strings(root=ROOT):
 
     Raises
     ------
-    SystemExit
+    ValueError
         Where `tr` gets anything but a literal, which no catalogue could hold.
     """
     found = {}
@@ -45,12 +45,12 @@ def source_strings(root=ROOT):
         calls = [
             node
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr"
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("tr", "mark")
         ]
         for node in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
             argument = node.args[0] if len(node.args) == 1 else None
             if not (isinstance(argument, ast.Constant) and isinstance(argument.value, str)):
-                raise SystemExit(f"{name}:{node.lineno}: tr() takes one literal string")
+                raise ValueError(f"{name}:{node.lineno}: {node.func.id}() takes one literal string")
             found.setdefault(argument.value, []).append((name, node.lineno))
     return found
 
