@@ -27,7 +27,7 @@ from .progress import SILENT, checkpoint
 from .terrain import Window, bilinear
 
 
-def sky_view_factor(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0):
+def sky_view_of_horizon(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0):
     """Sky view factor of one facet.
 
     Parameters
@@ -55,9 +55,9 @@ def sky_view_factor(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0):
     return np.clip(part.mean(axis=0), 0.0, 1.0)[()]
 
 
-def sky_view_of_profile(profile, slope_deg=0.0, aspect_deg=0.0):
+def sky_view_factor(profile, slope_deg=0.0, aspect_deg=0.0):
     """Sky view factor of a `HorizonProfile`'s observer; a level facet unless told otherwise."""
-    return float(sky_view_factor(profile.azimuth_deg, profile.elevation_deg, slope_deg, aspect_deg))
+    return float(sky_view_of_horizon(profile.azimuth_deg, profile.elevation_deg, slope_deg, aspect_deg))
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ def _tile(terrain, tile, options):
     azimuth = np.arange(options.azimuths) * (360.0 / options.azimuths)
     horizon = np.stack([_horizon(cells, ground, row, col, np.radians(one), frame, options) for one in azimuth])
     slope, aspect = _facets(cells, row, col, jacobian) if options.inclined else (0.0, 0.0)
-    factor = sky_view_factor(azimuth, horizon, slope, aspect).astype(np.float32)
+    factor = sky_view_of_horizon(azimuth, horizon, slope, aspect).astype(np.float32)
     return np.where(np.isnan(ground), np.float32(np.nan), factor)
 
 

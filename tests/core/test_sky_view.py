@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reference.landscapes import fractal, stand
 from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
-from skyline_viewshed.core.sky_view import SkyViewOptions, sky_view_factor, sky_view_of_profile, sky_view_raster
+from skyline_viewshed.core.sky_view import SkyViewOptions, sky_view_factor, sky_view_of_horizon, sky_view_raster
 from skyline_viewshed.core.terrain import ArrayTerrain, Window
 
 AZIMUTH = np.arange(0, 360, 0.5)
@@ -23,39 +23,39 @@ def by_quadrature(horizon_deg, slope_deg, aspect_deg):
 
 
 def test_an_open_plain_sees_all_of_the_sky():
-    assert sky_view_factor(AZIMUTH, np.zeros(len(AZIMUTH))) == pytest.approx(1.0)
-    assert sky_view_factor(AZIMUTH, np.full(len(AZIMUTH), np.nan)) == pytest.approx(1.0)
+    assert sky_view_of_horizon(AZIMUTH, np.zeros(len(AZIMUTH))) == pytest.approx(1.0)
+    assert sky_view_of_horizon(AZIMUTH, np.full(len(AZIMUTH), np.nan)) == pytest.approx(1.0)
 
 
 @given(height=st.floats(0, 89))
 def test_a_basin_sees_the_squared_cosine_of_its_rim(height):
     expected = np.cos(np.radians(height)) ** 2
-    assert sky_view_factor(AZIMUTH, np.full(len(AZIMUTH), height)) == pytest.approx(expected, abs=1e-9)
+    assert sky_view_of_horizon(AZIMUTH, np.full(len(AZIMUTH), height)) == pytest.approx(expected, abs=1e-9)
 
 
 @given(slope=st.floats(0, 89), aspect=st.floats(0, 360))
 def test_an_open_slope_sees_half_of_one_plus_cosine(slope, aspect):
     below = np.full(len(AZIMUTH), -20.0)
     expected = (1 + np.cos(np.radians(slope))) / 2
-    assert sky_view_factor(AZIMUTH, below, slope, aspect) == pytest.approx(expected, abs=1e-3)
+    assert sky_view_of_horizon(AZIMUTH, below, slope, aspect) == pytest.approx(expected, abs=1e-3)
 
 
 def test_a_wall_along_one_side_takes_half():
     wall = np.where(AZIMUTH < 180, 90.0, 0.0)
-    assert sky_view_factor(AZIMUTH, wall) == pytest.approx(0.5, abs=1e-3)
+    assert sky_view_of_horizon(AZIMUTH, wall) == pytest.approx(0.5, abs=1e-3)
 
 
 @pytest.mark.parametrize(("slope", "aspect"), [(0, 0), (20, 200), (45, 10), (70, 95)])
 def test_it_is_the_integral_of_its_definition(slope, aspect):
     horizon = 15 + 12 * np.sin(np.radians(AZIMUTH)) + 6 * np.cos(np.radians(3 * AZIMUTH))
     exact = by_quadrature(horizon, slope, aspect)
-    assert sky_view_factor(AZIMUTH, horizon, slope, aspect) == pytest.approx(exact, abs=4e-3)
+    assert sky_view_of_horizon(AZIMUTH, horizon, slope, aspect) == pytest.approx(exact, abs=4e-3)
 
 
 def test_a_higher_horizon_never_shows_more_sky():
     rng = np.random.default_rng(0)
     low = rng.uniform(0, 40, len(AZIMUTH))
-    assert sky_view_factor(AZIMUTH, low + 5, 25, 130) <= sky_view_factor(AZIMUTH, low, 25, 130)
+    assert sky_view_of_horizon(AZIMUTH, low + 5, 25, 130) <= sky_view_of_horizon(AZIMUTH, low, 25, 130)
 
 
 def test_the_raster_agrees_with_the_horizon_of_single_cells():
@@ -69,9 +69,9 @@ def test_the_raster_agrees_with_the_horizon_of_single_cells():
         profile = horizon_profile(
             terrain, observer, HorizonOptions(max_distance_m=1500.0, azimuth_step_deg=2.0, near_skip_cells=1.0)
         )
-        single = sky_view_factor(profile.azimuth_deg, np.maximum(profile.elevation_deg, 0))
+        single = sky_view_of_horizon(profile.azimuth_deg, np.maximum(profile.elevation_deg, 0))
         assert factor[row - window.row, col - window.col] == pytest.approx(single, abs=0.01)
-        assert sky_view_of_profile(profile) == pytest.approx(single, abs=1e-6)
+        assert sky_view_factor(profile) == pytest.approx(single, abs=1e-6)
 
 
 def test_tiles_join_without_a_seam_and_voids_stay_void():
