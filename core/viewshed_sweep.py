@@ -25,6 +25,7 @@ SLAB = 256
 """Lines read at once; slabs start at its multiples, as the tiles of usual files do."""
 
 VISIBLE, UNKNOWN = 1, 255
+TINY = np.float32(1e-6)
 
 
 @dataclass(frozen=True)
@@ -268,7 +269,9 @@ class QuarterSweep:
         tangent -= distance * np.float32(options.drop_per_m2)
         mine = self._mine(along + start, k, distance)
         if self.sink.wants_clearance:
-            value = np.where(mine, (tangent - limit) * distance, np.float32(0))
+            value = (tangent - limit) * distance
+            value[value == 0] = TINY  # 0 is kept for cells that are not asked about
+            value[~mine] = 0
             self._scatter(result, active, value)
             return
         seen = tangent >= limit
