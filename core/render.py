@@ -24,9 +24,8 @@ from .render_sky import (
     cloud_colour,
     clouds_before,
     clouds_behind,
-    sky_light,
+    daylight,
     sky_radiance,
-    sun_light,
     transmission,
 )
 from .terrain import Observer, Terrain, eye_elevation_m, ground_elevation_m
@@ -182,7 +181,7 @@ def _light(seen, patch, frame, camera, pose, scene, eye_m):
         seen.east_m[solid], seen.north_m[solid], elevation, distance, sight, distance * slant / camera.focal_px
     )
     levels = _levels(scene, elevation, distance)
-    sun, sky = sun_light(scene.sun_elevation_deg), sky_light(scene.sun_elevation_deg)
+    sun, sky = daylight(scene)
     own = shade_ground(ground, patch, frame, scene, sun, sky, levels)
     through = transmission(distance * slant, eye_m, elevation, scene.visibility_m)
     air = air_light(seen.turn_deg[solid], scene, pose.heading_deg)
@@ -205,8 +204,8 @@ def _levels(scene, elevation, distance):
     """Tree and snow line as given, else at shares of the far terrain's relief."""
     far = elevation[distance > min(2000.0, float(np.median(distance)))]
     low, high = np.percentile(far if far.size else elevation, [5, 97])
-    tree = scene.tree_line_m if scene.tree_line_m is not None else low + 0.40 * (high - low)
-    snow = scene.snow_line_m if scene.snow_line_m is not None else low + 0.66 * (high - low)
+    tree = scene.tree_line_m if scene.tree_line_m is not None else low + scene.tree_share * (high - low)
+    snow = scene.snow_line_m if scene.snow_line_m is not None else high - scene.snow_share * (high - low)
     return tree, snow
 
 
@@ -220,7 +219,8 @@ def _obstruct(radiance, seen, skyline, scene, pose):
     radiance = radiance + opacity[..., None] * (colour.astype(np.float32) - radiance)
     rows = np.where(np.isfinite(skyline), skyline, 0.4 * seen.tangent.shape[0])
     near, albedo = draw_foreground(seen.tangent.shape, rows, scene)
-    shade = albedo * (sky_light(scene.sun_elevation_deg) + 0.25 * sun_light(scene.sun_elevation_deg))
+    sun, sky = daylight(scene)
+    shade = albedo * (sky + 0.25 * sun)
     radiance = radiance + near[..., None] * (shade.astype(np.float32) - radiance)
     return radiance, np.maximum(opacity, near)
 

@@ -53,7 +53,7 @@ def _tree(generator, height, width, ridge_row_px):
     reach = height - ridge
     top = ridge + reach * (0.85 * generator.random() - 0.25)
     half = (height - top) * (0.13 + 0.13 * generator.random())
-    return (x, max(top, -0.2 * height), half, NEEDLES * (0.6 + generator.random())), _conifer_half_width
+    return (x, max(top, -0.2 * height), half, NEEDLES * (0.5 + 0.8 * generator.random()), 1.0), _conifer_half_width
 
 
 def _person(generator, height, width):
@@ -61,7 +61,7 @@ def _person(generator, height, width):
     tall = height * (0.2 + 0.4 * generator.random())
     jacket = JACKETS[int(generator.random() * len(JACKETS))]
     x = width * generator.random()
-    return (x, height * (1.03 + 0.1 * generator.random()) - tall, 0.2 * tall, jacket), _person_half_width
+    return (x, height * (1.03 + 0.1 * generator.random()) - tall, 0.2 * tall, 0.6 * jacket, 0.25), _person_half_width
 
 
 def _conifer_half_width(down, half, noise):
@@ -79,7 +79,7 @@ def _person_half_width(down, half, noise):
 
 def _paint(opacity, colour, place, shape_of, tile, generator):
     """Put one shape on the picture; give the width that it newly covers [pixels]."""
-    x, top, half, tint = place
+    x, top, half, tint, rough = place
     height, width = opacity.shape
     first_row, rows = max(int(top), 0), np.arange(max(int(top), 0), height)
     left, right = max(int(x - 1.6 * half) - 2, 0), min(int(x + 1.6 * half) + 3, width)
@@ -90,6 +90,7 @@ def _paint(opacity, colour, place, shape_of, tile, generator):
     fine = max(height / 500.0, 0.3)
     side = np.sign(cols - x)[None, :]
     noise = tile.sample((side * 40 + rows[:, None] / fine + shift[0]), shift[1] + 0.6 * cols[None, :] / fine)[..., 0]
+    noise = rough * noise
     down = np.clip((rows - top) / max(height - top, 1.0), 0, 1.2)[:, None]
     inside = shape_of(down, half, noise) - np.abs(cols[None, :] - x)
     mask = np.clip(inside + 0.5, 0, 1).astype(np.float32)

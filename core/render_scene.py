@@ -26,7 +26,9 @@ class SceneOptions:
     visibility_m : float
         Meteorological visual range at sea level (contrast falls to 2 %) [m].
     snow_line_m, tree_line_m : float or None
-        Elevations above which snow lies and below which forest grows [m]; None takes a share of the relief in view.
+        Elevations above which snow lies and below which forest grows [m]; None takes the shares below.
+    snow_share, tree_share : float
+        Upper and lower share of the relief in view under snow and forest; beyond 0 and 1 for none and all.
     clouds : str
         'none'; 'behind' the ridge; 'lid', hanging in front of it over `cloud_share` of the width; 'fog', the ridge
         all but gone; 'valley', a layer below the ridge.
@@ -59,6 +61,8 @@ class SceneOptions:
     visibility_m: float = 120_000.0
     snow_line_m: float | None = None
     tree_line_m: float | None = None
+    snow_share: float = 0.34
+    tree_share: float = 0.40
     clouds: str = "none"
     cloud_share: float = 0.3
     foreground: str = "none"
@@ -97,7 +101,9 @@ def hard_scene(seed, **changes):
         sun_elevation_deg=4 + 56 * pick() ** 1.3,
         visibility_m=float(np.exp(np.log(2.5e4) + np.log(10) * pick())),
         clouds=clouds,
-        cloud_share=0.1 + 0.6 * pick(),
+        snow_share=-0.1 + 1.2 * pick(),
+        tree_share=-0.1 + 0.8 * pick(),
+        cloud_share=0.1 + 0.7 * pick(),
         foreground=foreground,
         foreground_share=0.1 + 0.5 * pick(),
         exposure_ev=-0.8 + 1.4 * pick(),

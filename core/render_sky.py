@@ -27,6 +27,16 @@ def sky_light(sun_elevation_deg):
     return np.array([0.30, 0.42, 0.62]) * strength
 
 
+def daylight(scene):
+    """Irradiance of the sun across its rays and of the sky on level ground, two (3,) arrays; grey under cloud."""
+    sun, sky = sun_light(scene.sun_elevation_deg), sky_light(scene.sun_elevation_deg)
+    if scene.clouds not in ("behind", "lid", "fog"):
+        return sun, sky
+    overcast = float(smoothstep(0.45, 0.75, scene.cloud_share))
+    grey = 0.75 * sky.mean() + 0.10 * sun
+    return sun * (1 - 0.9 * overcast), sky + overcast * (grey - sky)
+
+
 def sky_radiance(turn_deg, tangent, scene, heading_deg):
     """Clear sky of every pixel.
 
