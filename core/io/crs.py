@@ -47,7 +47,7 @@ def _horizontal(crs):
 
 def local_plane(longitude_deg, latitude_deg):
     """CRS of true east and north on the ellipsoid around a place: azimuthal equidistant on WGS 84, metres."""
-    return f"+proj=aeqd +lat_0={latitude_deg!r} +lon_0={longitude_deg!r} +datum=WGS84 +units=m +no_defs"
+    return f"+proj=aeqd +lat_0={float(latitude_deg)!r} +lon_0={float(longitude_deg)!r} +datum=WGS84 +units=m +no_defs"
 
 
 class Transformer:

@@ -80,7 +80,9 @@ def _parts(seen, window, dem):
 
 def _equal_area(crs_wkt, frame):
     """Transformation into an equal-area plane around the observer."""
-    plane = f"+proj=laea +lat_0={frame.latitude_deg!r} +lon_0={frame.longitude_deg!r} +datum=WGS84 +units=m"
+    plane = (
+        f"+proj=laea +lat_0={float(frame.latitude_deg)!r} +lon_0={float(frame.longitude_deg)!r} +datum=WGS84 +units=m"
+    )
     return osr.CoordinateTransformation(spatial_reference(crs_wkt), spatial_reference(plane))
 
 
