@@ -14,17 +14,19 @@ import numpy as np
 
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .errors import ObserverOutsideDemError
-from .horizon_blocks import STRIP_ROWS, aligned, block_maxima
+from .horizon_blocks import STRIP_ROWS, HeldTerrain, aligned, block_maxima
 from .horizon_rays import lay_rays
-from .horizon_refine import Sight, search_intervals
+from .horizon_refine import Sight
+from .horizon_search import Search
 from .model import HorizonProfile
-from .progress import SILENT, checkpoint, subtask
+from .progress import SILENT, subtask
 from .terrain import Window, eye_elevation_m
 
 BLOCK = 8
+"""Side of the blocks whose maxima bound the rays' intervals [cells]."""
+
 MAX_PAIRS = 32_000_000
-CHUNK_PAIRS = 400_000
-NEAR_CELLS = 64
+"""(Ray, interval) pairs held at once; beyond, blocks and intervals are doubled."""
 
 
 @dataclass(frozen=True)
@@ -123,12 +125,13 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     window = aligned(_window(rays, terrain.shape), block, terrain.shape)
     held = window.rows * window.cols * 4e-6 <= options.memory_mb
     if held:
-        terrain = _Held(terrain, window, subtask(progress, 0.0, 0.5))
+        terrain = HeldTerrain(terrain, window, subtask(progress, 0.0, 0.5))
     blocks = block_maxima(terrain, window, block, subtask(progress, 0.5 if held else 0.0, 0.7))
     sight = Sight(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
-    search = _Search(terrain, sight, blocks, summit_m, window if held else None)
-    return search.run(options, frame.cell_m, subtask(progress, 0.7, 1.0))
+    search = Search(terrain, sight, blocks, summit_m, window if held else None)
+    tangent, distance, void, known_m = search.run(frame.cell_m, subtask(progress, 0.7, 1.0))
+    return _profile(rays, options, eye_m, frame.cell_m, summit_m, tangent, distance, void, known_m)
 
 
 def _intervals(rays, start_m):
@@ -160,124 +163,7 @@ def _window(rays, shape):
     return Window(top, left, bottom - top, right - left).clipped(shape)
 
 
-class _Held:
-    """A window of a terrain, read once and served from memory."""
-
-    def __init__(self, terrain, window, progress):
-        self.shape, self._window = terrain.shape, window
-        self._cells = np.empty((window.rows, window.cols), np.float32)
-        for row in range(0, window.rows, STRIP_ROWS):
-            checkpoint(progress, row / window.rows)
-            count = min(STRIP_ROWS, window.rows - row)
-            self._cells[row : row + count] = terrain.read(Window(window.row + row, window.col, count, window.cols))
-
-    def read(self, window):
-        row, col = window.row - self._window.row, window.col - self._window.col
-        return self._cells[row : row + window.rows, col : col + window.cols]
-
-
-class _Search:
-    """Branch and bound over all (ray, interval) pairs."""
-
-    def __init__(self, terrain, sight, blocks, summit_m, whole):
-        self.terrain, self.sight, self.blocks, self.summit_m, self.whole = terrain, sight, blocks, summit_m, whole
-        count = len(sight.rays.azimuth_deg)
-        self.tangent, self.distance = np.full(count, -np.inf), np.full(count, np.nan)
-
-    def run(self, options, cell_m, progress):
-        bound = self._bounds(progress)
-        near = max(1, int(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
-        first = np.zeros(bound.shape, bool)
-        first[:, :near] = bound[:, :near] > -np.inf
-        first[np.arange(len(bound)), bound.argmax(axis=1)] = True
-        first &= bound > -np.inf
-        self._refine(first, bound, subtask(progress, 0.3, 0.5))
-        best_left = np.zeros_like(first)
-        best_left[np.arange(len(bound)), bound.argmax(axis=1)] = True
-        self._refine(best_left & self._alive(bound), bound, subtask(progress, 0.5, 0.6))
-        self._refine(self._alive(bound), bound, subtask(progress, 0.6, 0.9))
-        void, known_m = self._voids(progress)
-        profile = _profile(
-            self.sight.rays, options, self.sight.eye_m, cell_m, self.summit_m, self.tangent, self.distance, known_m
-        )
-        profile.void[:] = void
-        return profile
-
-    def _alive(self, bound):
-        return bound > (self.tangent + 1e-7)[:, None]
-
-    def _bounds(self, progress):
-        """(A, N) float32 upper bounds of the tangent; -inf where there is nothing to see."""
-        edge = self.sight.edge_m
-        count = len(self.sight.rays.azimuth_deg), len(edge) - 1
-        bound = np.empty(count, np.float32)
-        for rays, row, col in self._block_indices(progress):
-            bound[rays] = _tangent_bound(
-                self.blocks.highest_m[row, col] - self.sight.eye_m, edge[:-1], edge[1:], self.sight.drop_per_m2
-            )
-        bound[edge[:-1] >= self.sight.rays.reach_m[:, None]] = -np.inf
-        return bound
-
-    def _block_indices(self, progress=SILENT):
-        """Yield (slice of rays, block rows, block columns) under the middles of the intervals."""
-        middle = (self.sight.edge_m[:-1] + self.sight.edge_m[1:]) / 2
-        total = len(self.sight.rays.azimuth_deg)
-        size = max(1, CHUNK_PAIRS // len(middle))
-        for first in range(0, total, size):
-            checkpoint(progress, 0.3 * first / total)
-            rays = slice(first, first + size)
-            col, row = self.sight.rays.at(middle, rays)
-            yield (rays, *self.blocks.index(col, row))
-
-    def _refine(self, chosen, bound, progress):
-        """Sample the chosen pairs, raise the running maxima, and strike the pairs off the bounds."""
-        ray, interval = np.nonzero(chosen)
-        tangent, distance, _ = search_intervals(
-            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, progress
-        )
-        bound[chosen] = -np.inf
-        if len(ray) == 0:
-            return
-        order = np.lexsort((tangent, ray))
-        last = order[np.append(np.diff(ray[order]) > 0, True)]
-        better = tangent[last] > self.tangent[ray[last]]
-        last = last[better]
-        self.tangent[ray[last]], self.distance[ray[last]] = tangent[last], distance[last]
-
-    def _voids(self, progress):
-        """Per azimuth: a void might hide a higher horizon; and where the data end [m]."""
-        reach = self.sight.rays.reach_m
-        void, known_m = np.zeros(len(reach), bool), reach.copy()
-        if not self.blocks.has_void.any():
-            return void, known_m
-        edge = self.sight.edge_m
-        start, stop = edge[:-1], edge[1:]
-        could = _tangent_bound(self.summit_m - self.sight.eye_m, start, stop, self.sight.drop_per_m2)
-        unsure = np.zeros((len(reach), len(start)), bool)
-        for rays, row, col in self._block_indices():
-            within = start < reach[rays, None]
-            empty = self.blocks.all_void[row, col]
-            known = within & ~empty
-            last = known.shape[1] - 1 - known[:, ::-1].argmax(axis=1)
-            last = np.where(known.any(axis=1), last, -1)
-            known_m[rays] = np.minimum(reach[rays], np.where(last < 0, start[0], stop[last]))
-            before = (np.arange(len(start)) < last[:, None]) & (could > self.tangent[rays, None])
-            void[rays] = (before & empty).any(axis=1)
-            unsure[rays] = before & ~empty & self.blocks.has_void[row, col] & ~void[rays, None]
-        ray, interval = np.nonzero(unsure)
-        _, _, meets = search_intervals(
-            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, subtask(progress, 0.9, 1.0)
-        )
-        void[ray[meets]] = True
-        return void, known_m
-
-
-def _tangent_bound(height_m, start_m, stop_m, drop_per_m2):
-    """Highest tangent that terrain `height_m` above the eye can have between two distances."""
-    return np.where(height_m >= 0, height_m / start_m, height_m / stop_m) - drop_per_m2 * start_m
-
-
-def _profile(rays, options, eye_m, cell_m, summit_m, tangent=None, distance=None, known_m=None):
+def _profile(rays, options, eye_m, cell_m, summit_m, tangent=None, distance=None, void=None, known_m=None):
     """Put the result together and judge where the DEM ends too early."""
     count = len(rays.azimuth_deg)
     tangent = np.full(count, -np.inf) if tangent is None else tangent
@@ -288,7 +174,7 @@ def _profile(rays, options, eye_m, cell_m, summit_m, tangent=None, distance=None
         elevation_deg=np.degrees(np.arctan(np.where(np.isfinite(tangent), tangent, np.nan))),
         distance_m=distance,
         clipped=_clipped(reach, tangent, summit_m - eye_m, options),
-        void=np.zeros(count, bool),
+        void=np.zeros(count, bool) if void is None else void,
         eye_elevation_m=eye_m,
         cell_m=cell_m,
         reach_m=reach,

@@ -107,3 +107,20 @@ def _maxima_of(strip, block):
         lines = np.maximum(lines[:, ::2], lines[:, 1::2])
         block //= 2
     return lines
+
+
+class HeldTerrain:
+    """A window of a terrain, read once and served from memory."""
+
+    def __init__(self, terrain, window, progress):
+        self.shape, self._window = terrain.shape, window
+        self._cells = np.empty((window.rows, window.cols), np.float32)
+        for row in range(0, window.rows, STRIP_ROWS):
+            checkpoint(progress, row / window.rows)
+            count = min(STRIP_ROWS, window.rows - row)
+            self._cells[row : row + count] = terrain.read(Window(window.row + row, window.col, count, window.cols))
+
+    def read(self, window):
+        """See `Terrain.read`; a view, not to be written to."""
+        row, col = window.row - self._window.row, window.col - self._window.col
+        return self._cells[row : row + window.rows, col : col + window.cols]

@@ -17,12 +17,9 @@ import numpy as np
 
 from .angles import difference
 from .progress import checkpoint
-from .terrain import Window
-from .viewshed_blocks import BAND, CLOSED, LOW, NEVER, Blocks
+from .viewshed_blocks import BAND, CLOSED, NEVER, Blocks
 from .viewshed_geometry import Table, shares
-
-SLAB = 256
-"""Lines read at once; slabs start at its multiples, as the tiles of usual files do."""
+from .viewshed_slabs import Slabs
 
 VISIBLE, UNKNOWN = 1, 255
 TINY = np.float32(1e-6)
@@ -99,85 +96,22 @@ class QuarterSweep:
         """Sweep the quarter outwards, slab by slab."""
         if not self.open.any():
             return
-        for lines in self._slabs():
+        self.slabs = Slabs(self.terrain, self.quarter, self.window, self.u, self.open)
+        for lines in self.slabs.lines():
             k_last = abs(lines[-1] - self.quarter.origin_line)
             checkpoint(progress, min(1.0, (k_last / self.k_max) ** 2))
-            slab = self._read(lines)
+            slab = self.slabs.read(lines)
             if slab is not None:
                 self._sweep_slab(lines, *slab)
-
-    def _slabs(self):
-        """Lines of the quarter, outwards, in groups that start at multiples of `SLAB`."""
-        first, count = self._extent(self.quarter.by_rows)
-        sign, origin = self.quarter.sign, self.quarter.origin_line
-        if sign > 0:
-            start = max(int(np.floor(origin)) + 1, first)
-            edges = [start, *range((start // SLAB + 1) * SLAB, first + count, SLAB), first + count]
-            edges = [edge for edge in edges if edge <= first + count]
-            pairs = zip(edges[:-1], edges[1:])
-            return [np.arange(a, b) for a, b in pairs if b > a]
-        start = min(int(np.ceil(origin)) - 1, first + count - 1)
-        edges = [start + 1, *range((start // SLAB) * SLAB, first, -SLAB), first]
-        return [np.arange(a - 1, b - 1, -1) for a, b in zip(edges[:-1], edges[1:]) if a > b]
-
-    def _extent(self, of_rows):
-        window = self.window
-        return (window.row, window.rows) if of_rows else (window.col, window.cols)
-
-    def _read(self, lines):
-        """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes."""
-        low, high = self._along_range(np.abs(lines[[0, -1]] - self.quarter.origin_line))
-        first, count = self._extent(not self.quarter.by_rows)
-        start = (max(low, first - 1) - 1) // BAND * BAND
-        stop = -(-(min(high, first + count) + 2) // BAND) * BAND
-        inner, end = max(start, first), min(stop, first + count)
-        if inner >= end:
-            return None
-        top = int(min(lines[0], lines[-1]))
-        by_rows = self.quarter.by_rows
-        window = Window(top, inner, len(lines), end - inner) if by_rows else Window(inner, top, end - inner, len(lines))
-        cells = np.full((len(lines), stop - start), LOW, np.float32)
-        place = cells[:: self.quarter.sign, inner - start : end - start]
-        values = self.terrain.read(window)
-        if by_rows:
-            place[...] = values
-        else:
-            for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
-                place[:, row : row + 512] = values[row : row + 512].T
-        # The outer half cells belong to the raster, and a cell on its edge is judged by a ray beside the edge too.
-        if inner > start:
-            cells[:, max(inner - start - 2, 0) : inner - start] = cells[:, inner - start, None]
-        if end < stop:
-            cells[:, end - start : end - start + 2] = cells[:, end - start - 1, None]
-        return cells, start
-
-    def _along_range(self, k):
-        """Columns (rows) between which the open rays cross the lines `k`: whole pixels (low, high)."""
-        rays = np.flatnonzero(self.open)
-        ends = rays[[0, -1]]
-        w = self.u[ends][None, :] + np.zeros((len(k), 1))
-        if not self.quarter.plane:
-            place = tuple(part[ends] for part in self.ray_place)
-            w = w + self.quarter.ray_bend.at(k, place)
-        j = w * np.asarray(k)[:, None]
-        return (
-            int(np.floor(j.min() + self.quarter.origin_along)) - 2,
-            int(np.ceil(j.max() + self.quarter.origin_along)) + 2,
-        )
 
     def _sweep_slab(self, lines, cells, start):
         bands = self._bands(lines)
         result = np.zeros(cells.shape, self.sink.dtype)
         for part in bands:
             self._sweep_band(lines[part], cells[part], start, result[part])
-        first, count = self._extent(not self.quarter.by_rows)
-        inner, end = max(start, first), min(start + cells.shape[1], first + count)
-        values = result[:: self.quarter.sign, inner - start : end - start]
-        top = int(min(lines[0], lines[-1]))
-        if self.quarter.by_rows:
-            self.sink.add(Window(top, inner, len(lines), end - inner), values)
-        else:
-            self.sink.add(Window(inner, top, end - inner, len(lines)), values.T)
+        window, inner = self.slabs.place(lines, start, cells.shape[1])
+        values = result[:: self.quarter.sign, inner]
+        self.sink.add(window, values if self.quarter.by_rows else values.T)
 
     @staticmethod
     def _bands(lines):

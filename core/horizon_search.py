@@ -1,0 +1,120 @@
+"""Branch and bound over the intervals of all rays: sample only where the horizon can be."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .horizon_refine import search_intervals
+from .progress import SILENT, checkpoint, subtask
+
+CHUNK_PAIRS = 400_000
+"""(Ray, interval) pairs whose bounds are computed at once."""
+
+NEAR_CELLS = 64
+"""Ground this near is sampled in any case: its bounds are too loose to dismiss it."""
+
+
+class Search:
+    """Branch and bound over all (ray, interval) pairs."""
+
+    def __init__(self, terrain, sight, blocks, summit_m, whole):
+        self.terrain, self.sight, self.blocks, self.summit_m, self.whole = terrain, sight, blocks, summit_m, whole
+        count = len(sight.rays.azimuth_deg)
+        self.tangent, self.distance = np.full(count, -np.inf), np.full(count, np.nan)
+
+    def run(self, cell_m, progress):
+        """Search all rays.
+
+        Returns
+        -------
+        tangent, distance_m : (A,) arrays
+            -inf and NaN where nothing is known.
+        void : (A,) bool array
+        known_m : (A,) array
+            Where the data end [m].
+        """
+        bound = self._bounds(progress)
+        near = max(1, int(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
+        first = np.zeros(bound.shape, bool)
+        first[:, :near] = bound[:, :near] > -np.inf
+        first[np.arange(len(bound)), bound.argmax(axis=1)] = True
+        first &= bound > -np.inf
+        self._refine(first, bound, subtask(progress, 0.3, 0.5))
+        best_left = np.zeros_like(first)
+        best_left[np.arange(len(bound)), bound.argmax(axis=1)] = True
+        self._refine(best_left & self._alive(bound), bound, subtask(progress, 0.5, 0.6))
+        self._refine(self._alive(bound), bound, subtask(progress, 0.6, 0.9))
+        return (self.tangent, self.distance, *self._voids(progress))
+
+    def _alive(self, bound):
+        return bound > (self.tangent + 1e-7)[:, None]
+
+    def _bounds(self, progress):
+        """(A, N) float32 upper bounds of the tangent; -inf where there is nothing to see."""
+        edge = self.sight.edge_m
+        count = len(self.sight.rays.azimuth_deg), len(edge) - 1
+        bound = np.empty(count, np.float32)
+        for rays, row, col in self._block_indices(progress):
+            bound[rays] = _tangent_bound(
+                self.blocks.highest_m[row, col] - self.sight.eye_m, edge[:-1], edge[1:], self.sight.drop_per_m2
+            )
+        bound[edge[:-1] >= self.sight.rays.reach_m[:, None]] = -np.inf
+        return bound
+
+    def _block_indices(self, progress=SILENT):
+        """Yield (slice of rays, block rows, block columns) under the middles of the intervals."""
+        middle = (self.sight.edge_m[:-1] + self.sight.edge_m[1:]) / 2
+        total = len(self.sight.rays.azimuth_deg)
+        size = max(1, CHUNK_PAIRS // len(middle))
+        for first in range(0, total, size):
+            checkpoint(progress, 0.3 * first / total)
+            rays = slice(first, first + size)
+            col, row = self.sight.rays.at(middle, rays)
+            yield (rays, *self.blocks.index(col, row))
+
+    def _refine(self, chosen, bound, progress):
+        """Sample the chosen pairs, raise the running maxima, and strike the pairs off the bounds."""
+        ray, interval = np.nonzero(chosen)
+        tangent, distance, _ = search_intervals(
+            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, progress
+        )
+        bound[chosen] = -np.inf
+        if len(ray) == 0:
+            return
+        order = np.lexsort((tangent, ray))
+        last = order[np.append(np.diff(ray[order]) > 0, True)]
+        better = tangent[last] > self.tangent[ray[last]]
+        last = last[better]
+        self.tangent[ray[last]], self.distance[ray[last]] = tangent[last], distance[last]
+
+    def _voids(self, progress):
+        """Per azimuth: a void might hide a higher horizon; and where the data end [m]."""
+        reach = self.sight.rays.reach_m
+        void, known_m = np.zeros(len(reach), bool), reach.copy()
+        if not self.blocks.has_void.any():
+            return void, known_m
+        edge = self.sight.edge_m
+        start, stop = edge[:-1], edge[1:]
+        could = _tangent_bound(self.summit_m - self.sight.eye_m, start, stop, self.sight.drop_per_m2)
+        unsure = np.zeros((len(reach), len(start)), bool)
+        for rays, row, col in self._block_indices():
+            within = start < reach[rays, None]
+            empty = self.blocks.all_void[row, col]
+            known = within & ~empty
+            last = known.shape[1] - 1 - known[:, ::-1].argmax(axis=1)
+            last = np.where(known.any(axis=1), last, -1)
+            known_m[rays] = np.minimum(reach[rays], np.where(last < 0, start[0], stop[last]))
+            before = (np.arange(len(start)) < last[:, None]) & (could > self.tangent[rays, None])
+            void[rays] = (before & empty).any(axis=1)
+            unsure[rays] = before & ~empty & self.blocks.has_void[row, col] & ~void[rays, None]
+        ray, interval = np.nonzero(unsure)
+        _, _, meets = search_intervals(
+            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, subtask(progress, 0.9, 1.0)
+        )
+        void[ray[meets]] = True
+        return void, known_m
+
+
+def _tangent_bound(height_m, start_m, stop_m, drop_per_m2):
+    """Highest tangent that terrain `height_m` above the eye can have between two distances."""
+    return np.where(height_m >= 0, height_m / start_m, height_m / stop_m) - drop_per_m2 * start_m
