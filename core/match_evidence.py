@@ -4,10 +4,12 @@ The evidence map gives p(row | column). A horizon that should lie at row y, know
 and a column that is explained by something else altogether with probability e, make the likelihood ratio
 against an uninformed column
 
-    B(column, y; s) = log(1 + (1 - e) / e * H * (p(. | column) convolved with N(0, s))(y)).
+    B(column, y; s) = log((1 - e) / e * H * (p(. | column) convolved with N(0, s))(y) + P(below) + a P(above)),
 
-B is never negative and saturates: a column that the horizon does not explain costs no more than one where the
-horizon is out of the frame, and neither earns anything.
+where `below` and `above` tell on which side of y the column's boundary lies. Clouds and haze hide the ridge, so that
+the boundary seen lies below the horizon, more often than trees and people rise above it: a < 1. B saturates: a
+column that the horizon does not explain costs at most log(a) against one where the horizon is above the frame,
+which earns nothing.
 """
 
 from __future__ import annotations
@@ -32,11 +34,14 @@ class EvidenceOptions:
     ----------
     outlier_share : float
         e above: columns whose boundary is something else (cloud, tree, person).
+    above_share : float
+        a above.
     finest_px, coarsest_px, levels : float, float, int
         Tolerances for which B is tabulated, in geometric progression [pixels of the reduced picture].
     """
 
     outlier_share: float = 0.2
+    above_share: float = 0.5
     finest_px: float = 0.7
     coarsest_px: float = 30.0
     levels: int = 9
@@ -44,6 +49,8 @@ class EvidenceOptions:
     def __post_init__(self):
         if not 0 < self.outlier_share < 1:
             raise ValueError(f"the outlier share must lie between 0 and 1, not {self.outlier_share}")
+        if not 0 < self.above_share <= 1:
+            raise ValueError(f"above_share must lie in (0, 1], not {self.above_share}")
         if not 0 < self.finest_px < self.coarsest_px or self.levels < 2:
             raise ValueError("tolerances must grow from finest_px > 0 over at least two levels")
 
@@ -70,9 +77,14 @@ class EvidenceStack:
         self.shape = probability.shape
         self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
         self._probability = np.asarray(probability, np.float32)
-        self.informative = np.flatnonzero(probability.max(axis=0) * self.shape[0] > INFORMATIVE)
+        self.informative = self.informative_columns(probability)
         self._table = self._blurred(self.tolerance_px)
         self._log_step = np.log(self.tolerance_px[1] / self.tolerance_px[0])
+
+    @staticmethod
+    def informative_columns(probability):
+        """Indices of the columns that say anything at all about the skyline."""
+        return np.flatnonzero(probability.max(axis=0) * probability.shape[0] > INFORMATIVE)
 
     def at_tolerance(self, tolerance_px):
         """B as an (h, w) map for one tolerance [pixels of the reduced picture]."""
@@ -90,7 +102,7 @@ class EvidenceStack:
         Returns
         -------
         array
-            B, 0 outside the picture.
+            B; 0 above the picture and log(a) below it.
         """
         height = self.shape[0]
         row_px = row_px + EDGE_ROW
@@ -107,7 +119,9 @@ class EvidenceStack:
         tall = height * width
         fine = flat[first] * (1 - between_rows) + flat[first + width] * between_rows
         wide = flat[first + tall] * (1 - between_rows) + flat[first + tall + width] * between_rows
-        return np.where(inside, fine * (1 - between_tiers) + wide * between_tiers, 0.0)
+        value = fine * (1 - between_tiers) + wide * between_tiers
+        outside = np.where(row_px > height - 1, np.log(self.options.above_share), 0.0)
+        return np.where(inside, value, outside)
 
     def _blurred(self, tolerance_px):
         """B for each tolerance, (tolerances, h, w): Gaussians along the columns in the frequency domain."""
@@ -119,5 +133,8 @@ class EvidenceStack:
         for level, tolerance in enumerate(tolerance_px):
             damp = np.exp(-0.5 * np.square(tolerance * frequency)).astype(np.float32)
             blurred = fft.irfft(spectrum * damp[:, None], n=size, axis=0)[:height]
-            table[level] = np.log1p((1 - share) / share * height * np.maximum(blurred, 0))
+            blurred = np.maximum(blurred, 0)
+            above = np.minimum(np.cumsum(blurred, axis=0), 1)
+            other = 1 - (1 - self.options.above_share) * above
+            table[level] = np.log((1 - share) / share * height * blurred + other)
         return table

@@ -11,34 +11,6 @@ from .match_calibration import CALIBRATION
 
 
 @dataclass(frozen=True)
-class Finding:
-    """What the fit knows about its answers, best first; arrays of equal length.
-
-    Attributes
-    ----------
-    heading_deg, score : (K,) arrays
-        Distinct answers and their penalised scores (prior on the heading included).
-    sigma_deg : (K,) array
-        Standard deviation of each heading: curvature of the score, DEM, position.
-    relief_deg : float
-        Spread of the horizon inside the frame about a straight line, at the best answer [degrees].
-    explained : float
-        Share of the columns that the best answer explains.
-    """
-
-    heading_deg: np.ndarray
-    score: np.ndarray
-    sigma_deg: np.ndarray
-    relief_deg: float
-    explained: float
-
-    @property
-    def gap(self):
-        """Score of the best above the second answer."""
-        return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
-
-
-@dataclass(frozen=True)
 class PosteriorOptions:
     """Thresholds of the status.
 

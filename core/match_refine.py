@@ -121,7 +121,7 @@ class Objective:
         jacobian[~usable] = 0.0
         slope = np.where(usable, slope / (2 * reach), 0.0)
         # Share of the column that the horizon explains: only those columns hold the fit in place.
-        weight = np.where(usable, (1 - np.exp(-value)) / (np.square(tolerance) + 1), 0.0)
+        weight = np.where(usable, (1 - np.exp(-np.maximum(value, 0))) / (np.square(tolerance) + 1), 0.0)
         gradient = np.einsum("kc,kcj->kj", slope, jacobian) / len(columns)
         curvature = np.matmul(jacobian.transpose(0, 2, 1), weight[..., None] * jacobian) / len(columns)
         pull, stiffness = self._penalty_derivatives(trials)

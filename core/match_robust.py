@@ -12,16 +12,20 @@ import numpy as np
 from .angles import wrap_360
 from .camera import Pose
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
-from .match_geometry import HorizonCurve, horizon_rows
+from .match_finding import Finding, examine
+from .match_geometry import HorizonCurve
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
 from .match_paper import correlation
-from .match_posterior import Finding, PosteriorOptions, answer_probabilities, interval, p_correct, verdict
+from .match_posterior import PosteriorOptions, answer_probabilities, interval, p_correct, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
 from .match_ridges import RidgeEvidence, RidgeMatchOptions
-from .match_search import SearchOptions, coarse_search
+from .match_search import CoarseResult, SearchOptions, coarse_search
 from .model import Candidate, Orientation
 from .progress import SILENT, subtask
+
+LEAST_COLUMNS_SHARE = 0.05
+"""Fewer columns with evidence than this share are not worth a search."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
-    full_fits: int = 8
+    full_fits: int = 12
     same_answer_deg: float = 1.5
     heading_floor_deg: float = 0.1
 
@@ -83,6 +87,76 @@ def match_robust(
         Candidates are distinct answers, best first; headings clockwise from true north, pitch + upwards, roll +
         with the right side down.
     """
+    refusal = _refusal(evidence, horizon)
+    if refusal:
+        return Orientation("rejected", refusal)
+    answers = find_answers(
+        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress
+    )
+    finding, trials, score = answers.finding, answers.trials, answers.finding.score
+    best_probability = p_correct(finding)
+    probability = answer_probabilities(finding, best_probability)
+    status, message = verdict(finding, probability, options.posterior)
+    lo, hi = interval(finding, probability)
+    full = camera_prior.camera
+    candidates = tuple(
+        Candidate(_pose(trial), _lens(full, trial), float(value), float(share))
+        for trial, value, share in zip(trials, score, probability)
+    )
+    residual, ncc = _skyline_residual(answers.objective, trials[:1], evidence, full)
+    _, second = _skyline_residual(answers.objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
+    return Orientation(
+        status,
+        message,
+        candidates,
+        heading_lo_deg=lo,
+        heading_hi_deg=hi,
+        p_correct=best_probability,
+        curve_heading_deg=answers.coarse.heading_deg,
+        curve_score=answers.coarse.score.astype(float),
+        ncc=ncc,
+        ncc_second=second,
+        residual_px=residual,
+        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose),
+    )
+
+
+def _refusal(evidence, horizon):
+    """Why there is nothing to match, or None."""
+    height, width = evidence.probability.shape
+    if len(EvidenceStack.informative_columns(evidence.probability)) < LEAST_COLUMNS_SHARE * width:
+        return (
+            "Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, "
+            "or supply a sky mask or a drawn skyline."
+        )
+    if not np.isfinite(horizon.elevation_deg).any():
+        return "The DEM has no terrain around this position. Use a DEM that reaches farther."
+    return None
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """Distinct answers before they are judged.
+
+    Attributes
+    ----------
+    objective : Objective
+    coarse : CoarseResult
+    trials : (K, 5) array
+        See `match_geometry.PARAMETERS`; best first.
+    finding : Finding
+    """
+
+    objective: Objective
+    coarse: CoarseResult
+    trials: np.ndarray
+    finding: Finding
+
+
+def find_answers(
+    evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress=SILENT
+):
+    """Search and fit, without judging: what `match_robust` and the calibration share; see there."""
     height, width = evidence.probability.shape
     camera = camera_prior.camera.scaled(width, height)
     curve = HorizonCurve(horizon)
@@ -102,32 +176,8 @@ def match_robust(
         return _bonus(objective, trials, heading_prior, crests, options)
 
     trials, score = _fit(objective, starts, bonus, options, subtask(progress, 0.4, 1.0))
-    finding = _finding(objective, trials, score, position_error_m, options)
-    best_probability = p_correct(finding)
-    probability = answer_probabilities(finding, best_probability)
-    status, message = verdict(finding, probability, options.posterior)
-    lo, hi = interval(finding, probability)
-    full = camera_prior.camera
-    candidates = tuple(
-        Candidate(_pose(trial), _lens(full, trial), float(value), float(share))
-        for trial, value, share in zip(trials, score, probability)
-    )
-    residual, ncc = _skyline_residual(objective, trials[:1], evidence, full)
-    _, second = _skyline_residual(objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
-    return Orientation(
-        status,
-        message,
-        candidates,
-        heading_lo_deg=lo,
-        heading_hi_deg=hi,
-        p_correct=best_probability,
-        curve_heading_deg=coarse.heading_deg,
-        curve_score=coarse.score.astype(float),
-        ncc=ncc,
-        ncc_second=second,
-        residual_px=residual,
-        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose),
-    )
+    finding = examine(objective, trials, score, evidence.probability, position_error_m, options.heading_floor_deg)
+    return Answers(objective, coarse, trials, finding)
 
 
 def _bonus(objective, trials, heading_prior, crests, options):
@@ -156,42 +206,6 @@ def _fit(objective, starts, bonus, options, progress):
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept]
-
-
-def _finding(objective, trials, score, position_error_m, options):
-    """Gather what the posterior needs."""
-    columns = objective.columns(1)
-    row, tolerance = objective.rows(trials, columns)
-    value = objective.stack.look_up(columns, row, tolerance * 1.5)
-    _, _, curvature = objective.expand(trials, 1.5)
-    free = np.flatnonzero(objective.free)
-    information = curvature[np.ix_(range(len(trials)), free, free)] * options.refine.effective_columns
-    covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
-    distance = np.array([_typical_distance(objective, trial, columns) for trial in trials])
-    terrain = np.degrees(options.refine.terrain_error_cells * objective.curve.cell_m / distance)
-    shift = np.degrees((8.0 if position_error_m is None else position_error_m) / distance)
-    sigma = np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + options.heading_floor_deg**2)
-    inside = np.isfinite(row[0]) & (row[0] >= 0) & (row[0] <= objective.stack.shape[0] - 1)
-    relief = _relief_px(columns[inside], row[0][inside])
-    return Finding(
-        trials[:, 0],
-        score,
-        np.minimum(sigma, 30.0),
-        float(np.degrees(relief / objective.camera.focal_px)),
-        float(np.mean(value[0] > np.log(3.0))),
-    )
-
-
-def _typical_distance(objective, trial, columns):
-    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trial[None], columns)
-    return float(np.median(objective.curve.distance_m[objective.curve.nearest(azimuth[0])]))
-
-
-def _relief_px(columns, row):
-    """Standard deviation about a straight line [pixels]."""
-    if len(columns) < 20:
-        return 0.0
-    return float(np.std(row - np.polyval(np.polyfit(columns, row, 1), columns)))
 
 
 def _pose(trial):

@@ -43,7 +43,7 @@ class SearchOptions:
     tolerance_deg: float = 0.3
     pitch_step_deg: float = 3.0
     rolls_deg: tuple = (-5.0, 0.0, 5.0)
-    keep: int = 40
+    keep: int = 60
     separation_deg: float = 2.0
 
     def __post_init__(self):

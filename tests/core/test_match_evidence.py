@@ -12,7 +12,7 @@ def single_row(row, height=101, width=7):
 
 
 def test_a_certain_row_gives_the_mixture_of_a_gaussian_and_a_flat_outlier():
-    stack = EvidenceStack(single_row(50), EvidenceOptions(outlier_share=0.2))
+    stack = EvidenceStack(single_row(50), EvidenceOptions(outlier_share=0.2, above_share=1.0))
     offset = np.arange(-10, 11)
     found = stack.look_up(np.full(21, 3), 49.5 + offset, 3.0 * np.ones(21))
     bell = np.exp(-0.5 * (offset / 3) ** 2) / np.sqrt(2 * np.pi) / 3
@@ -24,19 +24,26 @@ def test_a_certain_row_gives_the_mixture_of_a_gaussian_and_a_flat_outlier():
 
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(0.5, 40))
-def test_evidence_is_never_negative_and_saturates(seed, tolerance):
+def test_evidence_is_bounded_on_both_sides(seed, tolerance):
     rng = np.random.default_rng(seed)
     probability = rng.dirichlet(np.full(60, 0.1), size=8).T.astype(np.float32)
     stack = EvidenceStack(probability)
     value = stack.look_up(rng.integers(0, 8, 200), rng.uniform(-20, 80, 200), np.full(200, tolerance))
-    assert (value >= 0).all()
+    assert (value >= np.log(0.5) - 1e-6).all()
     assert (value <= np.log1p(4 * 60)).all()
 
 
 def test_rows_outside_the_picture_earn_nothing():
     stack = EvidenceStack(single_row(0))
-    value = stack.look_up(np.zeros(3, int), np.array([-1.0, 101.0, np.nan]), np.ones(3))
-    assert (value == 0).all()
+    value = stack.look_up(np.zeros(3, int), np.array([-1.0, np.nan, 101.0]), np.ones(3))
+    assert value.tolist() == [0, 0, np.log(0.5)]
+
+
+def test_a_boundary_below_the_horizon_costs_less_than_one_above():
+    stack = EvidenceStack(single_row(50))
+    hidden, obstructed = stack.look_up(np.zeros(2, int), np.array([20.0, 80.0]), np.ones(2))
+    assert hidden == pytest.approx(0, abs=0.01)
+    assert obstructed == pytest.approx(np.log(0.5), abs=0.01)
 
 
 def test_evidence_does_not_wrap_from_the_last_row_to_the_first():

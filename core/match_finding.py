@@ -1,0 +1,117 @@
+"""What a fit knows about its own answers: the quantities that tell right from wrong, and each heading's spread."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .match_geometry import horizon_rows
+
+TYPICAL_POSITION_ERROR_M = 8.0
+"""Of a phone's GPS under open sky."""
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """The answers and what speaks for and against them.
+
+    Attributes
+    ----------
+    heading_deg, score : (K,) arrays
+        Distinct answers, best first; the scores include priors and inner crests.
+    sigma_deg : (K,) array
+        Standard deviation of each heading: curvature of the score, DEM, position.
+    relief_deg : float
+        Spread of the horizon inside the frame about a straight line, at the best answer [degrees].
+    explained : float
+        Share of the columns that the best answer explains.
+    residual_px : float
+        Median distance of the likeliest rows from the best answer's horizon [pixels of the reduced picture].
+    terrain_px : float
+        Median tolerance that the DEM's error asks for at the best answer [pixels of the reduced picture].
+    sureness : float
+        Mean over the columns of the probability near each column's likeliest row: how decided the evidence is.
+    hfov_deg : float
+    """
+
+    heading_deg: np.ndarray
+    score: np.ndarray
+    sigma_deg: np.ndarray
+    relief_deg: float
+    explained: float
+    residual_px: float = 1.0
+    terrain_px: float = 1.0
+    sureness: float = 0.5
+    hfov_deg: float = 45.0
+
+    @property
+    def gap(self):
+        """Score of the best above the second answer; 0 where there is no second one to compare with."""
+        return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
+
+
+def examine(objective, trials, score, probability, position_error_m, floor_deg):
+    """Gather a `Finding` from distinct trials, best first.
+
+    Parameters
+    ----------
+    objective : match_refine.Objective
+    trials : (K, 5) array
+    score : (K,) array
+    probability : (h, w) array
+        p(row | column).
+    position_error_m : float or None
+        Standard deviation of the position [m].
+    floor_deg : float
+        Smallest standard deviation that a heading is credited with [degrees].
+    """
+    columns = objective.columns(1)
+    row, tolerance = objective.rows(trials[:1], columns)
+    row, tolerance = row[0], tolerance[0]
+    value = objective.stack.look_up(columns, row, tolerance * 1.5)
+    inside = np.isfinite(row) & (row >= 0) & (row <= objective.stack.shape[0] - 1)
+    likeliest = probability[:, columns].argmax(axis=0)
+    miss = np.abs(likeliest - 0.5 - row)[inside]
+    return Finding(
+        trials[:, 0],
+        score,
+        heading_sigma_deg(objective, trials, position_error_m, floor_deg),
+        float(np.degrees(relief_px(columns[inside], row[inside]) / objective.camera.focal_px)),
+        float(np.mean(value > np.log(3.0))),
+        float(np.median(miss)) if len(miss) else float(objective.stack.shape[0]),
+        float(np.median(tolerance)),
+        _sureness(probability[:, columns], likeliest),
+        objective.camera.hfov_deg,
+    )
+
+
+def heading_sigma_deg(objective, trials, position_error_m, floor_deg):
+    """Standard deviation of each trial's heading [degrees], at most 30.
+
+    The inverse curvature of the score gives what the picture leaves open. Two errors shift the whole horizon and do
+    not show in it: the DEM's, c cells, and the position's, both over the terrain's distance.
+    """
+    _, _, curvature = objective.expand(trials, 1.5)
+    free = np.flatnonzero(objective.free)
+    information = curvature[np.ix_(range(len(trials)), free, free)] * objective.options.effective_columns
+    covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
+    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trials, objective.columns(4))
+    distance = np.median(objective.curve.distance_m[objective.curve.nearest(azimuth)], axis=1)
+    terrain = np.degrees(objective.options.terrain_error_cells * objective.curve.cell_m / distance)
+    shift = np.degrees((TYPICAL_POSITION_ERROR_M if position_error_m is None else position_error_m) / distance)
+    return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
+
+
+def relief_px(columns, row):
+    """Standard deviation of rows about a straight line [pixels]; 0 where there are too few."""
+    if len(columns) < 20:
+        return 0.0
+    return float(np.std(row - np.polyval(np.polyfit(columns, row, 1), columns)))
+
+
+def _sureness(probability, likeliest, reach_px=2):
+    height, width = probability.shape
+    columns = np.arange(width)
+    near = [probability[np.clip(likeliest + d, 0, height - 1), columns] for d in range(-reach_px, reach_px + 1)]
+    return float(np.minimum(np.sum(near, axis=0), 1).mean()) if width else 0.0
