@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
+from qgis.core import (
+    QgsFeature,
+    QgsFeatureSink,
+    QgsField,
+    QgsFields,
+    QgsProcessingException,
+    QgsProcessingOutputLayerDefinition,
+)
 
 from .i18n import tr
 
@@ -25,6 +32,8 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
         Identifier of the layer; None where an optional output is not wanted.
     """
     make_folder_of(parameters.get(name))
+    if _is_in_memory(parameters.get(name)):
+        fields = _without_aliases(fields)
     sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
     if sink is None:
         if parameters.get(name) is None:
@@ -38,6 +47,24 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
         if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
             raise QgsProcessingException(tr("{name} could not be written.").format(name=name))
     return identifier
+
+
+def _is_in_memory(value):
+    """Whether a destination is a layer in memory; the dialog wraps it, scripts do not."""
+    if isinstance(value, QgsProcessingOutputLayerDefinition):
+        value = value.sink.staticValue()
+    return isinstance(value, str) and value.startswith(("TEMPORARY_OUTPUT", "memory:"))
+
+
+def _without_aliases(fields):
+    """Copy of the fields; layers in memory hold no aliases, and QGIS 3.40 warns of each one that is lost."""
+    plain = QgsFields()
+    for field in fields:
+        copy = QgsField(field)
+        copy.setAlias("")
+        copy.setComment("")
+        plain.append(copy)
+    return plain
 
 
 def make_folder_of(value):
