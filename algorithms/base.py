@@ -16,6 +16,8 @@ from qgis.PyQt.QtGui import QIcon
 from ..core.errors import Cancelled, SkylineViewshedError
 from .core_sentences import in_users_language
 from .i18n import tr
+from .reporting import facts_of, software
+from .styling import tell_provenance
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = "https://github.com/skyline-viewshed/skyline_viewshed/blob/main/docs/algorithms.md"
@@ -92,7 +94,9 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
     def processAlgorithm(self, parameters, context, feedback):
         """Run, and say a core error as QGIS's."""
         try:
-            return self.compute(parameters, context, feedback)
+            results = self.compute(parameters, context, feedback)
+            tell_provenance(context, facts_of(self, parameters, context), software(self))
+            return results
         except Cancelled as stop:
             raise QgsProcessingException(tr("Cancelled. Nothing was written.")) from stop
         except SkylineViewshedError as error:

@@ -10,12 +10,13 @@ from ..core.horizon import HorizonOptions
 from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
-from .fields import joined_fields
+from .fields import joined_fields, number_or_none
 from .i18n import tr
 from .oriented import oriented_specs, oriented_values
 from .rescue import Rescue
 
 NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
+LENS_FIELDS = ("hfov", "vfov")
 DEFAULT_TOLERANCE_DEG = 20.0
 
 
@@ -142,7 +143,12 @@ def oriented_row(row, kept, oriented, max_distance_m):
     """Geometry and attributes of an output feature: what the source had, then ours."""
     attributes = row.feature.attributes()
     geometry = row.feature.geometry() if row.feature.hasGeometry() else None
-    return geometry, [attributes[index] for index in kept] + oriented_values(oriented, max_distance_m)
+    ours = oriented_values(oriented, max_distance_m)
+    for index, spec in enumerate(oriented_specs()):
+        before = row.feature.fields().lookupField(spec.name)
+        if spec.name in LENS_FIELDS and ours[index] is None and before >= 0:
+            ours[index] = number_or_none(attributes[before])  # a photo that failed keeps what was known of its lens
+    return geometry, [attributes[index] for index in kept] + ours
 
 
 def oriented_fields(source):

@@ -56,8 +56,8 @@ def attributes_of(metadata):
         metadata.altitude_m,
         metadata.compass_heading_deg,
         ROTATION_OF_ORIENTATION.get(metadata.orientation),
-        repr(float(metadata.longitude_deg)),
-        repr(float(metadata.latitude_deg)),
+        _text(metadata.longitude_deg),
+        _text(metadata.latitude_deg),
         QDateTime(metadata.taken_at) if metadata.taken_at else None,
         metadata.focal_length_35mm,
         hfov_deg,
@@ -68,3 +68,8 @@ def attributes_of(metadata):
         metadata.position_error_m,
         metadata.camera,
     ]
+
+
+def _text(angle_deg):
+    """Shortest text that gives the number back; NULL for what is unknown."""
+    return None if angle_deg is None else repr(float(angle_deg))

@@ -11,6 +11,7 @@ from . import parameters as shared
 from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
 from .feedback import FeedbackProgress
+from .fields import is_null, photo_specs
 from .folder_photos import folder_fault, photo_rows
 from .i18n import tr
 from .orientation import (
@@ -176,7 +177,8 @@ class PhotoViewshed(SkylineAlgorithm):
         output = write_features(
             self, parameters, "OUTPUT", context, photos.fields, photos.wkb_type, photos.crs, features
         )
-        style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
+        specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs()
+        style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         results = {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
         return {**results, "RASTERS": ground.folder} if ground.folder else results
 

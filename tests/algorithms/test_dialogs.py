@@ -116,4 +116,4 @@ def test_outputs_are_dressed_when_they_are_loaded(run, scene):
     assert layer.editorWidgetSetup(fields.lookupField("photo")).type() == "ExternalResource"
     assert "<img" in layer.mapTipTemplate()
     assert "wedge_buffer" in layer.renderer().symbol().symbolLayer(0).properties()["geometryModifier"]
-    assert layer.metadata().abstract()
+    assert str(scene.folder) in layer.metadata().abstract() and "QGIS" in layer.metadata().history()[0]
