@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", ROOT / "ARCHITECTURE.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
-RUN_PAGES = ("automate.md", "tutorial.md")
+RUN_PAGES = ("automate.md", "tutorial.md", "photo-to-map.md")
 
 
 def plain(text):
