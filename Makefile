@@ -68,8 +68,8 @@ bench-skyline: setup ## Skylines against masks: DATA=folder
 	@$(PYTHON) benchmarks/bench_skyline.py "$(DATA)"
 
 .PHONY: bench-simulated
-bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes
-	@$(PYTHON) benchmarks/bench_simulated.py
+bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes: [COUNT=240] [SEED=1] [JOBS=1]
+	@$(PYTHON) benchmarks/bench_simulated.py --count $(or $(COUNT),240) --seed $(or $(SEED),1) --jobs $(or $(JOBS),1)
 
 .PHONY: bench-monoplot
 bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
