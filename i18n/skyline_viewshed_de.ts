@@ -538,6 +538,11 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <source>The layer has no heading. Choose the field that holds it, orient the photos first, or take the full circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Field with the heading (°)</source>

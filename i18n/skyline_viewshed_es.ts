@@ -538,6 +538,11 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <source>The layer has no heading. Choose the field that holds it, orient the photos first, or take the full circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Field with the heading (°)</source>
@@ -562,7 +567,7 @@
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Of the upright picture.</source>
-        <translation>De la imagen derecha.</translation>
+        <translation>De la imagen enderezada.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -705,7 +710,7 @@
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
-        <translation>Escribe una fila por columna de la imagen: &lt;b&gt;column&lt;/b&gt; y &lt;b&gt;row&lt;/b&gt; son píxeles de la imagen completa y derecha (el primer píxel es 0, row = primer píxel de terreno), &lt;b&gt;confidence&lt;/b&gt; va de 0 (ningún límite creíble, interpolado) a 1.</translation>
+        <translation>Escribe una fila por columna de la imagen: &lt;b&gt;column&lt;/b&gt; y &lt;b&gt;row&lt;/b&gt; son píxeles de la imagen completa y enderezada (el primer píxel es 0, row = primer píxel de terreno), &lt;b&gt;confidence&lt;/b&gt; va de 0 (ningún límite creíble, interpolado) a 1.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -820,12 +825,12 @@
     <message>
         <location filename="../algorithms/fields.py"/>
         <source>Width of the upright picture (px)</source>
-        <translation>Anchura de la imagen derecha (px)</translation>
+        <translation>Anchura de la imagen enderezada (px)</translation>
     </message>
     <message>
         <location filename="../algorithms/fields.py"/>
         <source>Height of the upright picture (px)</source>
-        <translation>Altura de la imagen derecha (px)</translation>
+        <translation>Altura de la imagen enderezada (px)</translation>
     </message>
     <message>
         <location filename="../algorithms/fields.py"/>
@@ -1062,7 +1067,7 @@
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
-        <translation>Crea un punto por fotografía JPEG o HEIC con posición. Escribe los mismos campos que &lt;i&gt;Importar fotos geoetiquetadas&lt;/i&gt; de QGIS y añade lo que la orientación necesita: distancia focal equivalente en 35 mm, ángulo de visión, tamaño de la imagen derecha, referencia de la brújula (geográfica o magnética), error del GPS, cámara.</translation>
+        <translation>Crea un punto por fotografía JPEG o HEIC con posición. Escribe los mismos campos que &lt;i&gt;Importar fotos geoetiquetadas&lt;/i&gt; de QGIS y añade lo que la orientación necesita: distancia focal equivalente en 35 mm, ángulo de visión, tamaño de la imagen enderezada, referencia de la brújula (geográfica o magnética), error del GPS, cámara.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1351,7 +1356,7 @@
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Each row of the table is one feature, a summit or a notch, clicked on the skyline of the photograph (extracted) and on the projected horizon (synthetic), in pixels of the upright picture. Offsets are synthetic minus extracted: azimuth positive to the right, elevation positive upwards.</source>
-        <translation>Cada fila de la tabla es un rasgo, una cima o una brecha, marcado en la línea del horizonte de la fotografía (extraída) y en el horizonte proyectado (sintético), en píxeles de la imagen derecha. Las desviaciones son sintético menos extraído: en acimut, positivas a la derecha; en elevación, positivas hacia arriba.</translation>
+        <translation>Cada fila de la tabla es un rasgo, una cima o una brecha, marcado en la línea del horizonte de la fotografía (extraída) y en el horizonte proyectado (sintético), en píxeles de la imagen enderezada. Las desviaciones son sintético menos extraído: en acimut, positivas a la derecha; en elevación, positivas hacia arriba.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1366,7 +1371,7 @@
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
         <source>One row per pair; pixels of the upright picture.</source>
-        <translation>Una fila por par; píxeles de la imagen derecha.</translation>
+        <translation>Una fila por par; píxeles de la imagen enderezada.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1589,7 +1594,7 @@
     <message>
         <location filename="../algorithms/orientation.py"/>
         <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>De la imagen derecha, a través de su centro. NULL: según la distancia focal del archivo.</translation>
+        <translation>De la imagen enderezada, a través de su centro. NULL: según la distancia focal del archivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>
@@ -2142,7 +2147,7 @@
     <message>
         <location filename="../algorithms/pixel_input.py"/>
         <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen derecha (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
+        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen enderezada (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_input.py"/>
@@ -2282,7 +2287,7 @@
     <message>
         <location filename="../algorithms/rescue.py"/>
         <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
-        <translation>Puntos del mapa que se ven en las fotografías: campos photo, x e y (píxeles de la imagen derecha, el primero es 0), opcionalmente elevation (m). Uno basta para determinar el rumbo.</translation>
+        <translation>Puntos del mapa que se ven en las fotografías: campos photo, x e y (píxeles de la imagen enderezada, el primero es 0), opcionalmente elevation (m). Uno basta para determinar el rumbo.</translation>
     </message>
     <message>
         <location filename="../algorithms/rescue.py"/>
@@ -2292,7 +2297,7 @@
     <message>
         <location filename="../algorithms/rescue.py"/>
         <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
-        <translation>Tabla con los campos photo, column y row (píxeles de la imagen derecha): los vértices de la línea del horizonte.</translation>
+        <translation>Tabla con los campos photo, column y row (píxeles de la imagen enderezada): los vértices de la línea del horizonte.</translation>
     </message>
     <message>
         <location filename="../algorithms/rescue.py"/>
@@ -2357,7 +2362,7 @@
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Size of the upright picture.</source>
-        <translation>Tamaño de la imagen derecha.</translation>
+        <translation>Tamaño de la imagen enderezada.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
