@@ -539,7 +539,7 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>The layer has no heading. Choose the field that holds it, orient the photos first, or take the full circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Layer hat keine Blickrichtung. Wählen Sie das Feld, das sie enthält, orientieren Sie zuerst die Fotos, oder nehmen Sie den Vollkreis.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>

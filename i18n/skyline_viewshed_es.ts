@@ -539,7 +539,7 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>The layer has no heading. Choose the field that holds it, orient the photos first, or take the full circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>La capa no tiene rumbo. Elija el campo que lo contiene, oriente primero las fotos o tome el círculo completo.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>

@@ -539,7 +539,7 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>The layer has no heading. Choose the field that holds it, orient the photos first, or take the full circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>La couche n'a pas d'azimut de visée. Choisissez le champ qui le contient, orientez d'abord les photos, ou prenez le cercle complet.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
