@@ -71,7 +71,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
     def shortHelpString(self):
         """Help beside the dialog: what it does, with a picture where there is one."""
         picture = ROOT / "icons" / "help" / f"{self.ID}.jpg"
-        image = f'<p><img src="{picture.as_uri()}" width="280"/></p>' if picture.exists() else ""
+        image = f'<p><img src="{picture.as_uri()}" width="230"/></p>' if picture.exists() else ""
         paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.help_text())
         return f'{image}{paragraphs}<p><a href="{self.helpUrl()}">{tr("Reference")}</a></p>'
 
