@@ -39,7 +39,8 @@ def evidence_from_mask(mask, width_px=None, height_px=None):
     sky = sky[..., :3].max(2) if sky.ndim == 3 else sky
     sky = sky if sky.dtype == bool else sky > (np.iinfo(sky.dtype).max if sky.dtype.kind in "ui" else 1.0) / 2
     height, width = sky.shape
-    change = sky[:-1] & ~sky[1:]
+    # A row of ground below the picture keeps a one-row mask valid; it is no change of the picture's own.
+    change = np.vstack([sky[:-1] & ~sky[1:], np.zeros((1, width), bool)])
     row_px = np.where(change.any(0), change.argmax(0) + 1.0, np.nan)
     return _evidence_from_rows(row_px, height, width_px or width, height_px or height, MASK_SIGMA_PX)
 

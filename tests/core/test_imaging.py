@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-
 from skyline_viewshed.core import imaging
 
 pytest.importorskip("cv2")
@@ -103,5 +102,12 @@ def test_shrinking_refuses_to_enlarge():
 def test_lab_of_known_colours():
     """White, black, mid grey and the sRGB primaries (CIE 15, D65; Lindbloom's calculator)."""
     rgb = np.array([[255, 255, 255], [0, 0, 0], [119, 119, 119], [255, 0, 0], [0, 255, 0], [0, 0, 255]], np.uint8)
-    lab = [[100, 0, 0], [0, 0, 0], [50.03, 0, 0], [53.24, 80.09, 67.20], [87.73, -86.18, 83.18], [32.30, 79.19, -107.86]]
+    lab = [
+        [100, 0, 0],
+        [0, 0, 0],
+        [50.03, 0, 0],
+        [53.24, 80.09, 67.20],
+        [87.73, -86.18, 83.18],
+        [32.30, 79.19, -107.86],
+    ]
     np.testing.assert_allclose(imaging.rgb_to_lab(rgb), lab, atol=0.05)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
 from skyline_viewshed.core.errors import SkylineNotFoundError
 from skyline_viewshed.core.skyline_paper import (
     PaperSkylineOptions,
