@@ -61,9 +61,9 @@ class HorizonOptions:
     refraction_coefficient: float = REFRACTION_COEFFICIENT
     curvature: bool = True
     near_skip_cells: float = 1.5
-    lines_per_cell: int = 2
+    lines_per_cell: int = 1
     summit_m: float | None = None
-    memory_mb: float = 160.0
+    memory_mb: float = 64.0
 
     def __post_init__(self):
         if not 0 < self.azimuth_step_deg <= 90:

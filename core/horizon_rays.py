@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-NODES = 129
+NODES = 65
 """Nodes along a ray between which pixel positions are interpolated; the frame itself is tabulated as coarsely."""
 
 

@@ -13,6 +13,9 @@ from .terrain import Window, bilinear
 TILE = 512
 """Side of the pieces in which surviving terrain is read again [cells]."""
 
+BULGE = 5e-4
+"""Samples between those on grid lines are tried where the best of these comes this near to the floor [tangent]."""
+
 BATCH = 4096
 """Intervals sampled at once: a few hundred thousand samples stay in the processor's cache."""
 
@@ -48,7 +51,7 @@ class Sight:
         return (elevation_m - self.eye_m) / distance_m - self.drop_per_m2 * distance_m
 
 
-def search_intervals(terrain, sight, ray, interval, margin_px, whole=None, progress=SILENT):
+def search_intervals(terrain, sight, ray, interval, floor, margin_px, whole=None, progress=SILENT):
     """Find the highest tangent within each of many (ray, interval) pairs.
 
     Parameters
@@ -56,6 +59,8 @@ def search_intervals(terrain, sight, ray, interval, margin_px, whole=None, progr
     terrain : Terrain
     sight : Sight
     ray, interval : (J,) int arrays
+    floor : (J,) array
+        Tangents that the caller has already: intervals that stay well below are not looked at more closely.
     margin_px : int
         How far an interval reaches from its middle, with the interpolation's stencil [cells].
     whole : Window or None
@@ -76,7 +81,9 @@ def search_intervals(terrain, sight, ray, interval, margin_px, whole=None, progr
         for first in range(0, len(jobs), BATCH):
             checkpoint(progress, 0.0 if len(ray) == 0 else min(1.0, jobs[first] / len(ray)))
             part = jobs[first : first + BATCH]
-            tangent[part], distance[part], void[part] = _sample(cells, window, sight, ray[part], interval[part])
+            tangent[part], distance[part], void[part] = _sample(
+                cells, window, sight, ray[part], interval[part], floor[part]
+            )
     return tangent, distance, void
 
 
@@ -102,22 +109,25 @@ def _by_tile(terrain, sight, ray, interval, margin_px, whole):
         yield jobs, window.clipped(terrain.shape)
 
 
-def _sample(cells, window, sight, ray, interval):
+def _sample(cells, window, sight, ray, interval, floor):
     start = sight.edge_m[interval]
     end = np.minimum(sight.edge_m[interval + 1], sight.rays.reach_m[ray])
     share = _shares(sight, ray, start, end)
     tangent, void = _tangents(cells, window, sight, ray, start, end, share)
-    pick = np.arange(len(ray))
     best = tangent.argmax(axis=1)
+    pick = np.arange(len(ray))
     top, where = tangent[pick, best], share[pick, best]
     # Once more around the best sample: between two lines the surface may bulge.
-    gap = sight.cell_m / (sight.lines_per_cell * np.maximum(end - start, sight.cell_m))
-    around = np.clip(where[:, None] + gap[:, None] * (np.arange(-7, 8) / 8), 0.0, 1.0)
-    finer, _ = _tangents(cells, window, sight, ray, start, end, around)
-    again = finer.argmax(axis=1)
-    better = finer[pick, again] > top
-    top = np.where(better, finer[pick, again], top)
-    where = np.where(better, around[pick, again], where)
+    near = np.flatnonzero(top > floor - BULGE)
+    if len(near):
+        gap = sight.cell_m / (sight.lines_per_cell * np.maximum(end - start, sight.cell_m))[near]
+        around = np.clip(where[near, None] + gap[:, None] * (np.arange(-7, 8) / 8), 0.0, 1.0)
+        finer, _ = _tangents(cells, window, sight, ray[near], start[near], end[near], around)
+        again = finer.argmax(axis=1)
+        pick = np.arange(len(near))
+        better = finer[pick, again] > top[near]
+        top[near] = np.where(better, finer[pick, again], top[near])
+        where[near] = np.where(better, around[pick, again], where[near])
     return top, np.where(np.isfinite(top), start + where * (end - start), np.nan), void
 
 

@@ -10,7 +10,7 @@ from .progress import SILENT, checkpoint, subtask
 CHUNK_PAIRS = 400_000
 """(Ray, interval) pairs whose bounds are computed at once."""
 
-NEAR_CELLS = 64
+NEAR_CELLS = 26
 """Ground this near is sampled in any case: its bounds are too loose to dismiss it."""
 
 
@@ -34,20 +34,18 @@ class Search:
             Where the data end [m].
         """
         bound = self._bounds(progress)
-        near = max(1, int(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
-        first = np.zeros(bound.shape, bool)
-        first[:, :near] = bound[:, :near] > -np.inf
-        first[np.arange(len(bound)), bound.argmax(axis=1)] = True
-        first &= bound > -np.inf
-        self._refine(first, bound, subtask(progress, 0.3, 0.5))
-        best_left = np.zeros_like(first)
-        best_left[np.arange(len(bound)), bound.argmax(axis=1)] = True
-        self._refine(best_left & self._alive(bound), bound, subtask(progress, 0.5, 0.6))
+        nearby = np.zeros(bound.shape, bool)
+        nearby[:, : max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))] = True
+        self._refine(nearby & self._alive(bound), bound, subtask(progress, 0.3, 0.4))
+        for _ in range(2):  # the most promising intervals first: they raise the bar for all others
+            best_left = np.zeros_like(nearby)
+            best_left[np.arange(len(bound)), bound.argmax(axis=1)] = True
+            self._refine(best_left & self._alive(bound), bound, subtask(progress, 0.4, 0.6))
         self._refine(self._alive(bound), bound, subtask(progress, 0.6, 0.9))
         return (self.tangent, self.distance, *self._voids(progress))
 
     def _alive(self, bound):
-        return bound > (self.tangent + 1e-7)[:, None]
+        return (bound > (self.tangent + 1e-7)[:, None]) & (bound > -np.inf)
 
     def _bounds(self, progress):
         """(A, N) float32 upper bounds of the tangent; -inf where there is nothing to see."""
@@ -76,7 +74,7 @@ class Search:
         """Sample the chosen pairs, raise the running maxima, and strike the pairs off the bounds."""
         ray, interval = np.nonzero(chosen)
         tangent, distance, _ = search_intervals(
-            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, progress
+            self.terrain, self.sight, ray, interval, self.tangent[ray], self.blocks.block, self.whole, progress
         )
         bound[chosen] = -np.inf
         if len(ray) == 0:
@@ -109,7 +107,14 @@ class Search:
             unsure[rays] = before & ~empty & self.blocks.has_void[row, col] & ~void[rays, None]
         ray, interval = np.nonzero(unsure)
         _, _, meets = search_intervals(
-            self.terrain, self.sight, ray, interval, self.blocks.block, self.whole, subtask(progress, 0.9, 1.0)
+            self.terrain,
+            self.sight,
+            ray,
+            interval,
+            self.tangent[ray],
+            self.blocks.block,
+            self.whole,
+            subtask(progress, 0.9, 1.0),
         )
         void[ray[meets]] = True
         return void, known_m
