@@ -10,7 +10,7 @@ from . import parameters as shared
 from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
 from .i18n import tr
-from .layers import read_points
+from .layers import number_column, points_fault, read_points
 from .viewshed_outputs import ViewshedOutputs
 from .visibility import Sight, add_range_parameters, range_fault, see_each, viewshed_options
 
@@ -91,8 +91,23 @@ class DirectedViewshed(SkylineAlgorithm):
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of viewsheds")))
 
     def input_fault(self, parameters, context):
-        """Check the DEM and the range."""
-        return dem_fault(self, parameters, context) or range_fault(self, parameters, context)
+        """Check the layer, the DEM and the range."""
+        return (
+            points_fault(self, parameters, context, "INPUT", None, [*POSE_FIELDS, "HEIGHT_FIELD"])
+            or self._heading_fault(parameters, context)
+            or dem_fault(self, parameters, context)
+            or range_fault(self, parameters, context)
+        )
+
+    def _heading_fault(self, parameters, context):
+        kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
+        source = self.parameterAsSource(parameters, "INPUT", context)
+        if kind == "full circle" or source is None:
+            return None
+        if number_column(self, parameters, context, source, "HEADING_FIELD") is None:
+            return tr("The layer has no heading. Choose the field that holds it, orient the photos first, or take the "
+                      "full circle.")  # fmt: skip
+        return None
 
     def prepareAlgorithm(self, parameters, context, feedback):
         """Take from the layers what they give in the main thread only."""

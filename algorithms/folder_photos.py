@@ -11,7 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsFields, QgsWk
 from ..core.errors import PhotoError
 from .fields import is_null, joined_fields, photo_specs, qgis_fields
 from .i18n import tr
-from .layers import PointRow, read_points
+from .layers import PointRow, points_fault, read_points
 from .orientation import NUMBER_FIELDS
 from .oriented import oriented_specs
 from .photo_attributes import attributes_of, has_position, photos_in, point_of
@@ -49,6 +49,8 @@ def folder_fault(algorithm, parameters, context):
         return tr("Choose either a folder of photographs or a layer of photo points, not both.")
     if folder and not Path(folder).is_dir():
         return tr("The folder {folder} does not exist.").format(folder=folder)
+    if not folder:
+        return points_fault(algorithm, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
     return None
 
 

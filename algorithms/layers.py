@@ -83,6 +83,22 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
     return source, rows
 
 
+def points_fault(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=()):
+    """Sentence on why a point parameter cannot serve (no CRS, no such field), or None."""
+    source = algorithm.parameterAsSource(parameters, name, context)
+    if source is None:
+        return None
+    try:
+        wgs84_transform(source, context)
+        if path_field is not None:
+            path_column(algorithm, parameters, context, source, path_field)
+        for field in number_fields:
+            number_column(algorithm, parameters, context, source, field)
+    except QgsProcessingException as error:
+        return str(error)
+    return None
+
+
 def label_of(feature):
     """Name of a point for messages: its photo's, where it has one, else its number."""
     for name in ("photo", "filename", "name"):

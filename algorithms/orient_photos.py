@@ -8,7 +8,7 @@ from . import parameters as shared
 from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
 from .i18n import tr
-from .layers import read_points
+from .layers import points_fault, read_points
 from .orientation import (
     NUMBER_FIELDS,
     add_field_parameters,
@@ -81,8 +81,9 @@ class OrientPhotos(SkylineAlgorithm):
         self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))
 
     def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
+        """Check the layer and the DEM."""
+        fault = points_fault(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
+        return fault or dem_fault(self, parameters, context)
 
     def prepareAlgorithm(self, parameters, context, feedback):
         """Take from the layers what they give in the main thread only."""

@@ -151,10 +151,12 @@ def test_senseless_distances_are_refused(refusal, scene):
     assert "smaller" in refusal("directedviewshed", {**parameters, "MIN_DISTANCE": 5000, "MAX_DISTANCE": 1000})
 
 
-def test_a_missing_field_is_named(run, scene, tmp_path):
+def test_a_missing_field_is_named(refusal, scene, tmp_path):
     parameters = {"INPUT": oriented_layer(scene), "DEM": str(scene.dem), "OUTPUT": str(tmp_path / "v.tif")}
-    with pytest.raises(QgsProcessingException, match="nonsense"):
-        run("directedviewshed", {**parameters, "HEADING_FIELD": "nonsense"})
+    assert "nonsense" in refusal("directedviewshed", {**parameters, "HEADING_FIELD": "nonsense"})
+    bare = QgsVectorLayer("Point?crs=EPSG:4326&field=photo:string", "bare", "memory")
+    assert "no heading" in refusal("directedviewshed", {**parameters, "INPUT": bare})
+    assert refusal("directedviewshed", {**parameters, "INPUT": bare, "SECTOR": 2}) == ""
 
 
 def test_cancelling_leaves_nothing(run, scene, listener, tmp_path):

@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 from qgis.core import (
     NULL,
+    QgsCoordinateReferenceSystem,
     QgsFeature,
     QgsField,
     QgsGeometry,
@@ -142,7 +143,7 @@ def test_a_picture_without_sky_gets_no_accepted_heading(run, scene):
 
 
 def test_position_height_and_field_of_view_come_from_the_layer_in_any_crs(run, scene):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform
+    from qgis.core import QgsCoordinateTransform
 
     utm = QgsCoordinateReferenceSystem("EPSG:32632")
     to_utm = QgsCoordinateTransform(QgsCoordinateReferenceSystem("EPSG:4326"), utm, QgsProject.instance())
@@ -241,10 +242,14 @@ def test_unusable_dems_stop_before_anything_runs(refusal, scene, photo_layer, tm
     assert "band" in refusal("orientphotos", {**ask, "DEM": str(scene.dem), "BAND": 7}).lower()
 
 
-def test_a_layer_without_the_path_field_is_refused(run, scene):
+def test_a_layer_that_cannot_serve_is_refused_before_anything_runs(refusal, scene):
     layer = points([("something", str)], [(scene.positions["west"], ["x"])])
-    with pytest.raises(QgsProcessingException, match="no field"):
-        run("orientphotos", {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:"})
+    parameters = {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:"}
+    assert "no field" in refusal("orientphotos", parameters)
+    assert "nonsense" in refusal("orientphotos", {**parameters, "PHOTO_FIELD": "something", "HFOV_FIELD": "nonsense"})
+    lost = points([("photo", str)], [((7.0, 46.0), ["x"])])
+    lost.setCrs(QgsCoordinateReferenceSystem())
+    assert "no coordinate reference system" in refusal("orientphotos", {**parameters, "INPUT": lost})
 
 
 def test_a_fault_of_our_own_costs_one_photo_and_is_logged(run, scene, photo_layer, monkeypatch):
