@@ -6,16 +6,16 @@ from somewhere would look like.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from .camera import Camera, Pose
-from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .frame import LocalFrame
 from .progress import SILENT, Progress, checkpoint, subtask
-from .render_cast import cast_fan, first_hits_m, pixel_directions, read_patch, skyline_row_px
+from .render_cast import cast_fan, read_patch, skyline_row_px
 from .render_foreground import draw_foreground
+from .render_relief import Relief
 from .render_scene import SceneOptions
 from .render_sensor import develop
 from .render_shading import Ground, shade_ground
@@ -28,6 +28,7 @@ from .render_sky import (
     sky_radiance,
     transmission,
 )
+from .render_trace import Traced, row_blocks, trace, turns_deg
 from .terrain import Observer, Terrain, eye_elevation_m, ground_elevation_m
 
 LOWEST_EYE_M = 0.5
@@ -113,32 +114,23 @@ def render_view(
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, scene.range_m * 1.01)
     ground_m = ground_elevation_m(terrain, frame)
     eye_m = max(eye_elevation_m(terrain, frame, observer), ground_m + LOWEST_EYE_M)
-    turn, tangent = pixel_directions(camera, pose)
-    turns = float(turn.min()), float(turn.max())
+    turns = turns_deg(camera, pose)
     patch = read_patch(terrain, frame, turns, pose.heading_deg, scene.range_m)
-    fan = cast_fan(patch, frame, camera, pose, turns, eye_m, scene.range_m, subtask(progress, 0.0, 0.5))
-    azimuth = pose.heading_deg + turn
-    distance = first_hits_m(fan, azimuth.ravel(), tangent.ravel()).reshape(tangent.shape)
-    checkpoint(progress, 0.6)
-    solid = np.isfinite(distance)
-    angle = np.radians(azimuth)
-    reach = np.where(solid, distance, np.nan)
-    east, north = reach * np.sin(angle), reach * np.cos(angle)
-    elevation = eye_m + reach * tangent + apparent_drop_m(reach, REFRACTION_COEFFICIENT)
+    fan = cast_fan(patch, frame, camera, pose, turns, eye_m, scene.range_m, subtask(progress, 0.0, 0.4))
+    traced = trace(fan, camera, pose, eye_m, subtask(progress, 0.4, 0.5))
     skyline = skyline_row_px(fan, camera, pose)
-    ridge = np.interp(turn.ravel(), fan.azimuth_deg - pose.heading_deg, fan.highest[:, -1]).reshape(turn.shape)
-    truth = _Seen(turn, tangent, ridge, distance, east, north, elevation, solid)
-    radiance = _soften(_light(truth, patch, frame, camera, pose, scene, eye_m), skyline)
-    checkpoint(progress, 0.8)
-    radiance, cover = _obstruct(radiance, truth, skyline, scene, pose)
+    relief = Relief(patch, frame, scene)
+    radiance = _light(traced, relief, camera, pose, scene, eye_m, subtask(progress, 0.5, 0.8))
+    radiance, cover = _obstruct(_soften(radiance, skyline), traced, fan, skyline, scene, pose)
+    checkpoint(progress, 0.9)
     pixels = develop(radiance, camera, scene)
     checkpoint(progress, 1.0)
     return RenderedView(
         pixels,
-        distance.astype(np.float32),
-        east.astype(np.float32),
-        north.astype(np.float32),
-        elevation.astype(np.float32),
+        traced.distance_m,
+        traced.east_m,
+        traced.north_m,
+        traced.elevation_m,
         skyline,
         _visible(skyline, cover),
         cover > 0.5,
@@ -151,42 +143,34 @@ def render_view(
     )
 
 
-@dataclass(frozen=True, eq=False)
-class _Seen:
-    turn_deg: np.ndarray
-    tangent: np.ndarray
-    ridge_tangent: np.ndarray
-    distance_m: np.ndarray
-    east_m: np.ndarray
-    north_m: np.ndarray
-    elevation_m: np.ndarray
-    solid: np.ndarray
-
-
-def _light(seen, patch, frame, camera, pose, scene, eye_m):
+def _light(traced, relief, camera, pose, scene, eye_m, progress):
     """Light from sky, clouds behind and hazy ground, before anything in front of it."""
-    radiance = sky_radiance(seen.turn_deg, seen.tangent, scene, pose.heading_deg)
-    if scene.clouds in ("behind", "lid", "fog"):
-        opacity, colour = clouds_behind(seen.turn_deg, seen.tangent, scene)
-        radiance = radiance + opacity[..., None] * (colour - radiance)
-    solid = seen.solid
-    if not solid.any():
-        return radiance
-    distance, tangent = seen.distance_m[solid], seen.tangent[solid]
-    angle = np.radians(pose.heading_deg + seen.turn_deg[solid])
-    slant = np.sqrt(1 + tangent**2)
-    sight = np.stack([-np.sin(angle), -np.cos(angle), -tangent], axis=-1) / slant[:, None]
-    elevation = seen.elevation_m[solid]
-    ground = Ground(
-        seen.east_m[solid], seen.north_m[solid], elevation, distance, sight, distance * slant / camera.focal_px
-    )
-    levels = _levels(scene, elevation, distance)
-    sun, sky = daylight(scene)
-    own = shade_ground(ground, patch, frame, scene, sun, sky, levels)
-    through = transmission(distance * slant, eye_m, elevation, scene.visibility_m)
-    air = air_light(seen.turn_deg[solid], scene, pose.heading_deg)
-    radiance[solid] = own * through + air * (1 - through)
+    radiance = np.empty(traced.tangent.shape + (3,), np.float32)
+    levels = _levels(scene, traced.elevation_m, traced.distance_m)
+    for rows in row_blocks(camera):
+        checkpoint(progress, rows.start / camera.height_px)
+        part = Traced(*(getattr(traced, field.name)[rows.start : rows.stop] for field in fields(Traced)))
+        light = sky_radiance(part.turn_deg, part.tangent, scene, pose.heading_deg)
+        if scene.clouds in ("behind", "lid", "fog"):
+            opacity, colour = clouds_behind(part.turn_deg, part.tangent, scene)
+            light = light + opacity[..., None] * (colour - light)
+        solid = np.isfinite(part.distance_m)
+        if solid.any():
+            light[solid] = _hazy_ground(part, solid, relief, camera, pose, scene, eye_m, levels)
+        radiance[rows.start : rows.stop] = light
     return radiance
+
+
+def _hazy_ground(part, solid, relief, camera, pose, scene, eye_m, levels):
+    turn, tangent, distance, east, north, elevation = (
+        getattr(part, field.name)[solid].astype(float) for field in fields(Traced)
+    )
+    angle, slant = np.radians(pose.heading_deg + turn), np.sqrt(1 + tangent**2)
+    sight = np.stack([-np.sin(angle), -np.cos(angle), -tangent], axis=-1) / slant[:, None]
+    ground = Ground(east, north, elevation, distance, sight, distance * slant / camera.focal_px)
+    own = shade_ground(ground, relief, scene, *daylight(scene), levels)
+    through = transmission(distance * slant, eye_m, elevation, scene.visibility_m)
+    return own * through + air_light(turn, scene, pose.heading_deg) * (1 - through)
 
 
 def _soften(radiance, skyline):
@@ -201,28 +185,38 @@ def _soften(radiance, skyline):
 
 
 def _levels(scene, elevation, distance):
-    """Tree and snow line as given, else at shares of the far terrain's relief."""
-    far = elevation[distance > min(2000.0, float(np.median(distance)))]
-    low, high = np.percentile(far if far.size else elevation, [5, 97])
+    """Tree and snow line as given, else at shares of the far terrain's relief [m]."""
+    thin = max(1, int(np.sqrt(elevation.size / 200_000)))
+    elevation, distance = elevation[::thin, ::thin], distance[::thin, ::thin]
+    solid = np.isfinite(distance)
+    if not solid.any():
+        return 0.0, 0.0
+    far = solid & (distance > min(2000.0, float(np.median(distance[solid]))))
+    low, high = np.percentile(elevation[far if far.any() else solid].astype(float), [5, 97])
     tree = scene.tree_line_m if scene.tree_line_m is not None else low + scene.tree_share * (high - low)
     snow = scene.snow_line_m if scene.snow_line_m is not None else high - scene.snow_share * (high - low)
     return tree, snow
 
 
-def _obstruct(radiance, seen, skyline, scene, pose):
+def _obstruct(radiance, traced, fan, skyline, scene, pose):
     """Put clouds and foreground before the view; give the light and the share of each pixel that is covered."""
-    opacity, bright = clouds_before(
-        seen.turn_deg, seen.tangent, seen.ridge_tangent, seen.distance_m, seen.elevation_m, scene
-    )
-    lit, shaded = cloud_colour(scene)
-    colour = shaded + (lit - shaded) * np.clip(bright, 0, 1)[..., None]
-    radiance = radiance + opacity[..., None] * (colour.astype(np.float32) - radiance)
-    rows = np.where(np.isfinite(skyline), skyline, 0.4 * seen.tangent.shape[0])
-    near, albedo = draw_foreground(seen.tangent.shape, rows, scene)
-    sun, sky = daylight(scene)
-    shade = albedo * (sky + 0.25 * sun)
-    radiance = radiance + near[..., None] * (shade.astype(np.float32) - radiance)
-    return radiance, np.maximum(opacity, near)
+    cover = np.zeros(traced.tangent.shape, np.float32)
+    if scene.clouds in ("lid", "fog", "valley"):
+        ridge = np.interp(traced.turn_deg, fan.azimuth_deg - pose.heading_deg, fan.highest[:, -1])
+        cover, bright = clouds_before(
+            traced.turn_deg, traced.tangent, ridge, traced.distance_m, traced.elevation_m, scene
+        )
+        lit, shaded = (colour.astype(np.float32) for colour in cloud_colour(scene))
+        colour = shaded + (lit - shaded) * np.clip(bright, 0, 1).astype(np.float32)[..., None]
+        radiance = radiance + cover[..., None] * (colour - radiance)
+    if scene.foreground != "none":
+        rows = np.where(np.isfinite(skyline), skyline, 0.4 * cover.shape[0])
+        near, albedo = draw_foreground(cover.shape, rows, scene)
+        sun, sky = daylight(scene)
+        shade = albedo * (sky + 0.25 * sun).astype(np.float32)
+        radiance = radiance + near[..., None] * (shade - radiance)
+        cover = np.maximum(cover, near)
+    return radiance, cover
 
 
 def _visible(skyline, cover):

@@ -69,15 +69,23 @@ class TerrainPatch:
         return map_coordinates(field, place, order=1, mode="constant", cval=outside, output=np.float32)
 
 
-def pixel_directions(camera, pose):
+def pixel_directions(camera, pose, rows=None):
     """Direction of every pixel.
+
+    Parameters
+    ----------
+    camera : Camera
+    pose : Pose
+    rows : range or None
+        Rows wanted; None for all.
 
     Returns
     -------
-    turn_deg, tangent : (H, W) arrays
-        Azimuth from the heading, in (-180, 180] [degrees], and tangent of the elevation angle.
+    turn_deg, tangent : (rows, W) arrays
+        Azimuth from the heading, in [-180, 180) [degrees], and tangent of the elevation angle.
     """
-    x, y = np.meshgrid(np.arange(camera.width_px, dtype=float), np.arange(camera.height_px, dtype=float))
+    rows = range(camera.height_px) if rows is None else rows
+    x, y = np.meshgrid(np.arange(camera.width_px, dtype=float), np.arange(rows.start, rows.stop, dtype=float))
     azimuth, elevation = unproject(camera, pose, x, y)
     turn = np.mod(azimuth - pose.heading_deg + 180.0, 360.0) - 180.0
     return turn, np.tan(np.radians(np.clip(elevation, -89.9, 89.9)))

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import ndimage
 
-from .render_cast import VOID_M
 from .render_noise import noise_tile, smoothstep
+from .render_relief import cosine, sun_vector
 
 ROCK = np.array([0.185, 0.170, 0.155], np.float32)
 WARM_ROCK = np.array([0.225, 0.190, 0.155], np.float32)
@@ -45,14 +44,13 @@ class Ground:
     pixel_m: np.ndarray
 
 
-def shade_ground(ground, patch, frame, scene, sun_light, sky_light, levels):
+def shade_ground(ground, relief, scene, sun_light, sky_light, levels):
     """Radiance of the ground without the air in between.
 
     Parameters
     ----------
     ground : Ground
-    patch : TerrainPatch
-    frame : LocalFrame
+    relief : Relief
     scene : SceneOptions
     sun_light, sky_light : (3,) arrays
         Irradiance of the sun across its rays, and of the open sky.
@@ -64,47 +62,21 @@ def shade_ground(ground, patch, frame, scene, sun_light, sky_light, levels):
     (N, 3) float32 array
         Linear red, green, blue.
     """
-    slope_east, slope_north = _slopes(ground, patch, frame)
+    slope_east, slope_north, sunlit, openness = relief.at(ground.east_m, ground.north_m)
     steep = np.hypot(slope_east, slope_north)
-    facing = np.abs(_cosine(slope_east, slope_north, ground.sight))
+    facing = np.abs(cosine(slope_east, slope_north, ground.sight))
     footprint = ground.pixel_m / np.sqrt(np.maximum(facing, 0.06))
     value, bump_east, bump_north = _texture(ground, footprint, scene)
     albedo, rough, water = _cover(ground, steep, slope_north, value, scene, levels)
     slope_east = slope_east + rough * bump_east
     slope_north = slope_north + rough * bump_north
-    sun = _sun_vector(scene)
-    lit = np.maximum(_cosine(slope_east, slope_north, sun), 0.0) * _sunlit(ground, patch, frame, scene)
-    open_sky = 0.5 + 0.5 / np.sqrt(1 + slope_east**2 + slope_north**2)
-    open_sky = open_sky * _openness(ground, patch, frame)
+    lit = np.maximum(cosine(slope_east, slope_north, sun_vector(scene)), 0.0) * sunlit
+    open_sky = (0.5 + 0.5 / np.sqrt(1 + slope_east**2 + slope_north**2)) * openness
     light = lit[:, None] * sun_light + open_sky[:, None] * sky_light
     # Sunlit slopes light their neighbours: shadows on snow are never black.
-    light = light + 0.10 * sun_light * (0.3 + lit.mean()) * (1 - open_sky[:, None])
+    light = light + 0.10 * sun_light * 0.65 * (1 - open_sky[:, None])
     colour = albedo * light / np.pi * 2.2
     return np.where(water[:, None], _mirror(ground, value, sky_light), colour).astype(np.float32)
-
-
-def _sun_vector(scene):
-    azimuth, elevation = np.radians(scene.sun_azimuth_deg), np.radians(scene.sun_elevation_deg)
-    return np.array([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
-
-
-def _cosine(slope_east, slope_north, direction):
-    """Cosine between the surface normal of a slope and a direction ((3,) or (N, 3))."""
-    direction = np.asarray(direction)
-    along = direction[..., 2] - slope_east * direction[..., 0] - slope_north * direction[..., 1]
-    return along / np.sqrt(1 + slope_east**2 + slope_north**2)
-
-
-def _slopes(ground, patch, frame):
-    """Slope of the terrain to the east and to the north, interpolated so that cells do not show as facets."""
-    known = patch.elevation_m > VOID_M / 10
-    down_rows, along_cols = np.gradient(np.where(known, patch.elevation_m, np.nan).astype(np.float32))
-    (col_e, col_n), (row_e, row_n) = frame.jacobian_px_per_m
-    slopes = (along_cols * col_e + down_rows * row_e, along_cols * col_n + down_rows * row_n)
-    return [
-        patch.sample(np.nan_to_num(s, nan=0.0), frame, ground.east_m, ground.north_m, 0.0).astype(np.float32)
-        for s in slopes
-    ]
 
 
 def _texture(ground, footprint_m, scene):
@@ -167,59 +139,3 @@ def _mirror(ground, value, sky_light):
 
 def _mix(low, high, share):
     return low + (high - low) * share[:, None]
-
-
-LIGHT_GRID = 900
-"""Shadow and openness are computed on at most this many cells per side."""
-
-
-def _coarse(patch, frame):
-    """Patch thinned for light: (elevations, thinning, ground size of a cell [m])."""
-    thin = max(1, int(np.ceil(max(patch.elevation_m.shape) / LIGHT_GRID)))
-    elevation = patch.elevation_m[::thin, ::thin].astype(np.float32)
-    known = elevation > VOID_M / 10
-    if not known.all():
-        elevation = np.where(known, elevation, elevation[known].min() if known.any() else 0.0)
-    return elevation, thin, frame.cell_m * thin
-
-
-def _look_up(field, thin, patch, frame, ground):
-    col, row = frame.to_pixel(ground.east_m, ground.north_m)
-    place = np.array([(row - patch.window.row) / thin, (col - patch.window.col) / thin])
-    return ndimage.map_coordinates(field, place, order=1, mode="nearest", output=np.float32)
-
-
-def _sunlit(ground, patch, frame, scene):
-    """Share of the sun's disc that the terrain towards it leaves free (0 to 1).
-
-    The shadow's height above each cell is a running maximum towards the sun; doubling the stride reaches across
-    the whole patch in a few shifts.
-    """
-    elevation, thin, _ = _coarse(patch, frame)
-    azimuth = np.radians(scene.sun_azimuth_deg)
-    rise_per_m = np.tan(np.radians(max(scene.sun_elevation_deg, 1.0)))
-    # One step of about one thinned cell towards the sun, in rows and columns of the thinned grid.
-    step_m = frame.cell_m * thin
-    step = frame.jacobian_px_per_m @ np.array([np.sin(azimuth), np.cos(azimuth)]) * step_m / thin
-    drop_m, span = step_m * rise_per_m, float(elevation.max() - elevation.min())
-    highest, reach = elevation, 1
-    while reach <= max(elevation.shape) and reach * drop_m < 2 * span:
-        highest = np.maximum(highest, _towards(highest, step * reach) - reach * drop_m)
-        reach *= 2
-    # The nearest cells only tell that a slope turns away from the sun, which its normal says without blots.
-    shadow = _look_up(_towards(highest, step * 2) - 2 * drop_m, thin, patch, frame, ground)
-    own = _look_up(elevation, thin, patch, frame, ground)
-    return np.clip((own - shadow) / (drop_m + 15.0) + 1, 0, 1)
-
-
-def _towards(field, step):
-    """Bring to every cell what lies (cols, rows) `step` away from it."""
-    return ndimage.shift(field, (-step[1], -step[0]), order=1, mode="constant", cval=-1e5)
-
-
-def _openness(ground, patch, frame):
-    """How open the place is to the sky: valleys are darker than crests."""
-    elevation, thin, cell_m = _coarse(patch, frame)
-    around = ndimage.gaussian_filter(elevation, max(700.0 / cell_m, 0.8))
-    hollow = np.clip((around - elevation) / 700.0, -0.5, 0.8)
-    return _look_up((0.85 - 0.5 * hollow).astype(np.float32), thin, patch, frame, ground)

@@ -18,7 +18,8 @@ def sun_light(sun_elevation_deg):
     elevation = max(sun_elevation_deg, 0.2)
     air_mass = 1 / (np.sin(np.radians(elevation)) + 0.50572 * (elevation + 6.07995) ** -1.6364)  # Kasten, Young 1989
     # A photograph's white balance takes half of the reddening away.
-    return np.array([1.0, 0.97, 0.92]) * 2.6 * np.exp(-air_mass * np.array([0.035, 0.06, 0.105]))
+    risen = smoothstep(-1.5, 1.5, sun_elevation_deg)
+    return risen * np.array([1.0, 0.97, 0.92]) * 2.6 * np.exp(-air_mass * np.array([0.035, 0.06, 0.105]))
 
 
 def sky_light(sun_elevation_deg):
