@@ -114,15 +114,15 @@ class MapToPixel(SkylineAlgorithm):
         for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
             pictures.annotate(photo, *found.add(photo), feedback)
         results = {"COUNT": len(found.points) + len(found.lines), "VISIBLE_COUNT": found.visible_count}
-        for name, title, specs, kind, rows in (
-            ("OUTPUT", tr("Points in pictures"), point_specs(), QgsWkbTypes.Type.Point, found.points),
-            ("LINES", tr("Lines in pictures"), line_specs(), QgsWkbTypes.Type.LineString, found.lines),
+        for name, style, title, specs, kind, rows in (
+            ("OUTPUT", "image_points", tr("Points in pictures"), point_specs(), QgsWkbTypes.Type.Point, found.points),
+            ("LINES", "image_lines", tr("Lines in pictures"), line_specs(), QgsWkbTypes.Type.LineString, found.lines),
         ):
             if parameters.get(name) is None:
                 continue
             nowhere = QgsCoordinateReferenceSystem()
             written = write_features(self, parameters, name, context, qgis_fields(specs), kind, nowhere, rows)
             if written is not None:
-                style_on_completion(context, written, f"image_{name.lower()}", title, specs, self.displayName())
+                style_on_completion(context, written, style, title, specs, self.displayName())
                 results[name] = written
         return {**results, "PICTURES": folder} if folder else results

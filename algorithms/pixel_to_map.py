@@ -104,16 +104,37 @@ class PixelToMap(SkylineAlgorithm):
             placed.add(photo, uncertainty_of(self, parameters, context, photo.feature), feedback)
         placed.tell_unused(feedback)
         results = {"COUNT": placed.count, "SKY_COUNT": placed.sky_count}
-        for name, title, specs, kind, rows in (
-            ("OUTPUT", tr("Points on the map"), point_specs(), QgsWkbTypes.Type.PointZ, placed.points),
-            ("LINES", tr("Lines on the map"), drawn_specs(), QgsWkbTypes.Type.MultiLineStringZ, placed.lines),
-            ("POLYGONS", tr("Areas on the map"), drawn_specs(), QgsWkbTypes.Type.MultiPolygonZ, placed.polygons),
-            ("ELLIPSES", tr("Error ellipses"), ellipse_specs(), QgsWkbTypes.Type.Polygon, placed.ellipses),
+        for name, style, title, specs, kind, rows in (
+            ("OUTPUT", "placed_points", tr("Points on the map"), point_specs(), QgsWkbTypes.Type.PointZ, placed.points),
+            (
+                "LINES",
+                "placed_lines",
+                tr("Lines on the map"),
+                drawn_specs(),
+                QgsWkbTypes.Type.MultiLineStringZ,
+                placed.lines,
+            ),
+            (
+                "POLYGONS",
+                "placed_areas",
+                tr("Areas on the map"),
+                drawn_specs(),
+                QgsWkbTypes.Type.MultiPolygonZ,
+                placed.polygons,
+            ),
+            (
+                "ELLIPSES",
+                "error_ellipses",
+                tr("Error ellipses"),
+                ellipse_specs(),
+                QgsWkbTypes.Type.Polygon,
+                placed.ellipses,
+            ),
         ):
             if name != "OUTPUT" and parameters.get(name) is None:
                 continue
             written = write_features(self, parameters, name, context, qgis_fields(specs), kind, self.dem.crs, rows)
             if written is not None:
-                style_on_completion(context, written, name.lower(), title, specs, self.displayName())
+                style_on_completion(context, written, style, title, specs, self.displayName())
                 results[name] = written
         return results

@@ -1,4 +1,4 @@
-"""Make the figures of docs/photo-to-map.md from what its commands leave in build/photo-to-map.
+"""Make the figures of docs/photo-to-map.md, and of the algorithms' help, from what its commands leave behind.
 
 PYTHONPATH=build/plugins python tools/make_map_figures.py
 """
@@ -14,23 +14,48 @@ from PIL import Image
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
-from skyline_viewshed.core.draw_raster import draw_dot, draw_line  # noqa: E402
+from skyline_viewshed.core.draw_raster import draw_dot, draw_line, encode_jpeg, resized, tint  # noqa: E402
 from skyline_viewshed.core.hillshade import hillshade  # noqa: E402
 
-RUN, IMAGES = ROOT / "build" / "photo-to-map", ROOT / "docs" / "images"
+RUN, IMAGES, HELP = ROOT / "build" / "photo-to-map", ROOT / "docs" / "images", ROOT / "icons" / "help"
 DEM = ROOT / "build" / "demo" / "sample" / "dem" / "mountains.tif"
 EXTENT = (-6700.0, 5000.0, -3700.0, 8200.0)
 """West, south, east, north of the map, around the camera and the front [m in the DEM's CRS]."""
-WIDTH_PX = 640
+WIDE = (-10_500.0, 4500.0, 4500.0, 14_300.0)
+"""The same for all that both photographs show."""
+WIDTH_PX, HELP_PX = 640, 420
 
 
 def main():
     IMAGES.mkdir(parents=True, exist_ok=True)
     photo = Image.open(RUN / "pictures" / "midday.png").convert("RGB")
     save(photo.crop((0, 380, 900, 960)), "photo-to-map-photo.png")
-    save(Image.fromarray(map_of_the_front()), "photo-to-map-map.png")
+    front = with_front(*ground(EXTENT, "draped"), EXTENT)
+    save(Image.fromarray(front), "photo-to-map-map.png")
     strip = Image.open(RUN / "panorama" / "panorama_2.png").convert("RGB")
     save(strip.crop((500, 480, 1700, strip.height)), "photo-to-map-panorama.png")
+    help_picture("pixeltomap", front)
+    help_picture("maptopixel", np.asarray(photo.crop((60, 500, 760, 960))))
+    help_picture("drapephoto", ground(WIDE, "draped")[0])
+    help_picture("photocoverage", ground(WIDE, "count")[0])
+    help_picture("panorama", np.asarray(strip.crop((500, 480, 1700, strip.height))))
+    help_picture("labelpeaks", np.asarray(Image.open(RUN / "labelled" / "midday.png").convert("RGB"))[200:520, :640])
+    help_picture("whichphotos", found())
+
+
+def help_picture(name, pixels):
+    """Write the picture in an algorithm's help."""
+    height = round(HELP_PX * pixels.shape[0] / pixels.shape[1])
+    (HELP / f"{name}.jpg").write_bytes(encode_jpeg(resized(np.ascontiguousarray(pixels), HELP_PX, height), 80))
+    print(f"icons/help/{name}.jpg")
+
+
+def found():
+    """The photograph with the place that was asked for."""
+    pixels = np.array(Image.open(ROOT / "build" / "demo" / "sample" / "photos" / "midday.jpg").convert("RGB"))
+    turn = np.linspace(0, 2 * np.pi, 60)
+    draw_line(pixels, 198 + 42 * np.cos(turn), 865 + 42 * np.sin(turn), (217, 72, 15), 7, casing_px=2)
+    return pixels[480:, :640]
 
 
 def save(image, name):
@@ -40,23 +65,31 @@ def save(image, name):
     print(name, (IMAGES / name).stat().st_size // 1024, "kB")
 
 
-def map_of_the_front():
-    """Hillshade, draped photograph, front and error ellipses."""
-    west, south, east, north = EXTENT
+def ground(extent, layer):
+    """Hillshade with the draped photographs or the counts over it, and the cell's size [m]."""
+    west, south, east, north = extent
     height = round(WIDTH_PX * (north - south) / (east - west))
-    warp = {"outputBounds": EXTENT, "width": WIDTH_PX, "height": height, "format": "MEM", "resampleAlg": "cubicspline"}
-    dem = gdal.Warp("", str(DEM), **warp).ReadAsArray()
+    warp = {"outputBounds": extent, "width": WIDTH_PX, "height": height, "format": "MEM"}
+    dem = gdal.Warp("", str(DEM), resampleAlg="cubicspline", **warp).ReadAsArray()
     cell = (east - west) / WIDTH_PX
     shade = np.nan_to_num(hillshade(dem, (cell, cell))).astype(float)
     grey = 90 + 150 * shade / max(shade.max(), 1e-6)
     pixels = np.repeat(grey[..., None], 3, axis=2).astype(np.uint8)
-    draped = gdal.Warp("", str(RUN / "draped.tif"), **{**warp, "resampleAlg": "near"}).ReadAsArray()
-    seen = draped[3] == 255
-    pixels[seen] = draped[:3].transpose(1, 2, 0)[seen]
-    pixels = np.ascontiguousarray(pixels)
+    over = gdal.Warp("", str(RUN / f"{layer}.tif"), resampleAlg="near", **warp).ReadAsArray()
+    if layer == "draped":
+        seen = over[3] == 255
+        pixels[seen] = over[:3].transpose(1, 2, 0)[seen]
+    else:
+        for count, colour in ((1, (255, 196, 0)), (2, (216, 27, 96))):
+            tint(pixels, 0.6 * (over == count), colour)
+    return np.ascontiguousarray(pixels), cell
+
+
+def with_front(pixels, cell, extent):
+    """Front, error ellipse and camera on a map."""
 
     def place(x, y):
-        return (np.asarray(x) - west) / cell - 0.5, (north - np.asarray(y)) / cell - 0.5
+        return (np.asarray(x) - extent[0]) / cell - 0.5, (extent[3] - np.asarray(y)) / cell - 0.5
 
     for x, y in chains("ellipses"):
         draw_line(pixels, *place(x, y), (255, 235, 120), 2, casing_px=1)

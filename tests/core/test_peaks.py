@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.peaks import find_summits, snap_to_summit
+from skyline_viewshed.core.peaks import find_summits, snap_to_summit, summits_around
 from skyline_viewshed.core.terrain import ArrayTerrain
 
 
@@ -98,3 +98,16 @@ def test_the_summits_of_the_khumbu_are_found(shared_data):
         assert away.min() < 600, name
         assert abs(summits.elevation_m[away.argmin()] - height) < 60, name
     assert summits.elevation_m[0] == pytest.approx(8849, abs=30)
+
+
+def test_around_an_eye_summits_come_in_local_metres_whatever_the_window():
+    z = cones((121, 121), [(60, 90, 900.0), (20, 60, 700.0)], 8.0).astype(np.float32)
+    terrain = ArrayTerrain(z, 30.0)
+    frame = terrain.frame(0, 0, 2000)
+    whole = summits_around(terrain, frame, 1700.0, 50.0)
+    assert [summit[:2] for summit in whole] == [pytest.approx((900, 0), abs=1e-3), pytest.approx((0, 1200), abs=1e-3)]
+    assert [summit[2] for summit in whole] == [900, 700]
+    blocks = summits_around(terrain, frame, 1700.0, 50.0, most_cells=2000)
+    assert [summit[:3] for summit in blocks] == [pytest.approx(summit[:3]) for summit in whole]
+    assert [s[2] for s in summits_around(terrain, frame, 1000.0, 50.0)] == [900]
+    assert summits_around(terrain, terrain.frame(1.0, 1.0, 2000), 1000.0, 50.0) == []
