@@ -14,7 +14,7 @@ from .camera import Camera, Pose, in_frame, project, unproject
 class FullCircle:
     """Everything around the observer."""
 
-    selective = False
+    selective, azimuth_only = False, True
     includes_observer = True
     azimuth_range_deg = (0.0, 360.0)
 
@@ -42,7 +42,7 @@ class Wedge:
     heading_deg: float
     width_deg: float
 
-    selective = True
+    selective, azimuth_only = True, True
     includes_observer = True
 
     def __post_init__(self):
@@ -85,7 +85,7 @@ class PhotoFrame:
     skyline_row_px: np.ndarray | None = None
     tolerance_px: float = 0.0
 
-    selective = True
+    selective, azimuth_only = True, False
     includes_observer = False
 
     @property

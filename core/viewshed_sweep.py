@@ -23,6 +23,7 @@ from .viewshed_slabs import Slabs
 
 VISIBLE, UNKNOWN = 1, 255
 TINY = np.float32(1e-6)
+OUTSIDE, INSIDE, EDGE = np.uint8(0), np.uint8(1), np.uint8(2)
 
 
 @dataclass(frozen=True)
@@ -85,6 +86,7 @@ class QuarterSweep:
         azimuth = quarter.azimuth_deg(self.u)
         self.open = sector.touches(azimuth, 2 * float(np.abs(difference(azimuth[1:], azimuth[:-1])).max()))
         self.highest[~self.open] = CLOSED
+        self.between = _between(sector, azimuth) if sector.selective and sector.azimuth_only else None
         self.crossed_void = np.zeros(count, bool)
         self.rho = quarter.rho_m(self.u).astype(np.float32)
         if not quarter.plane:
@@ -191,6 +193,7 @@ class QuarterSweep:
         ray -= index
         np.maximum(ray, np.float32(0), out=ray)
         np.minimum(ray, np.float32(1), out=ray)
+        between = None if self.between is None else self.between.take(index)
         index = passed.compact.take(index)
         index += (np.arange(count) * passed.before.shape[1])[:, None]
         limit = _beside(passed.before, index, ray)
@@ -217,8 +220,12 @@ class QuarterSweep:
         unknown = np.isnan(elevation)
         if unknown.any():
             value[unknown & mine] = UNKNOWN
-        if self.sector.selective:
-            self._select(value, along + start, k, w, distance, tangent)
+        if self.between is not None:
+            value[between == OUTSIDE] = 0
+            asked = between == EDGE
+            self._select(np.where(asked, value, 0), value, k, w, distance, tangent)
+        elif self.sector.selective:
+            self._select(value, value, k, w, distance, tangent)
         self._scatter(result, active, value)
 
     def _mine(self, along, k, distance):
@@ -230,9 +237,11 @@ class QuarterSweep:
             mine &= distance >= self.options.min_distance_m
         return mine
 
-    def _select(self, value, along, k, w, distance, tangent):
-        """Ask the sector about the cells that are seen or unknown."""
-        line, cell = np.nonzero(value)
+    def _select(self, asked, value, k, w, distance, tangent):
+        """Ask the sector about cells that are seen or unknown, one by one."""
+        line, cell = np.nonzero(asked)
+        if not len(line):
+            return
         u = w[line, cell].astype(np.float64)
         if not self.quarter.plane:
             place = self.quarter.bend.place(u)
@@ -245,6 +254,15 @@ class QuarterSweep:
     @staticmethod
     def _scatter(result, active, value):
         result.reshape(len(value), -1, BAND)[:, active] = value.reshape(len(value), -1, BAND)
+
+
+def _between(sector, azimuth_deg):
+    """Whether cells between a ray and the next lie outside the sector, inside, or must be asked one by one."""
+    inside = sector.accepts(azimuth_deg, None, None)
+    if not inside.any():
+        return np.full(len(inside) - 1, EDGE)
+    both = inside[:-1].astype(np.uint8) + inside[1:]
+    return np.select([both == 0, both == 2], [OUTSIDE, INSIDE], EDGE).astype(np.uint8)
 
 
 def _beside(values, index, share):
