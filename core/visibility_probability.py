@@ -18,7 +18,8 @@ from .curvature import apparent_drop_m
 from .errors import ObserverError
 from .progress import SILENT, checkpoint, subtask
 from .terrain import Window
-from .viewshed import ArraySink, PhotoFrame, ViewshedOptions, Wedge, viewshed
+from .viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
+from .viewshed_layers import ClearanceSink
 
 QUANTILE_90 = 1.6449
 TILE_ROWS = 256
@@ -137,23 +138,13 @@ def visibility_probability(
     return VisibilityProbability(window, seen, float(np.prod(frame.cell_size_m)))
 
 
-class _ClearanceSink(ArraySink):
-    """Height of each cell above its line of sight [m]; exactly 0 outside the sector and range."""
-
-    def __init__(self, window):
-        super().__init__(window, np.float32)
-
-    def set(self, row, col, value):
-        """The observer's own cell has no line of sight."""
-
-
 def _seen(terrain, observer, sector, uncertainty, options, progress):
     """Probability that each cell can be seen at all: (window, probability, frame, eye elevation)."""
     places = _positions(observer, uncertainty.position_m)
     total = weight = None
     for index, place in enumerate(places):
         part = subtask(progress, index / len(places), (index + 1) / len(places))
-        sink = _ClearanceSink
+        sink = ClearanceSink
         if total is None:
             result = viewshed(terrain, place, sector, options, part, sink)
             window, frame, eye_m = result.window, result.frame, result.eye_elevation_m
