@@ -98,7 +98,7 @@ class PhotoCoverage(SkylineAlgorithm):
 
         terrain = self.dem.open()
         reach = self.parameterAsDouble(parameters, "MAX_DISTANCE", context)
-        photos = list(open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.05)))
+        photos = list(open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.05), pixels=False))
         if not photos:
             raise QgsProcessingException(tr("None of the points is an oriented photo on this DEM."))
         geometries = self._area(parameters, context)

@@ -18,7 +18,7 @@ from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .fields import number_or_none
 from .i18n import tr
-from .layers import read_points
+from .layers import PATH_FIELDS, read_points
 
 NOMINAL_WIDTH_PX = 4000
 """Width of a picture of which only the fields of view are known."""
@@ -143,7 +143,7 @@ def value_of(feature, field):
     return number_or_none(feature[field])
 
 
-def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m, share=(0.0, 1.0), **options):
+def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m, share=(0.0, 1.0), pixels=True):
     """Yield a `PhotoView` for each oriented point; what lacks a heading or lies off the DEM is warned of.
 
     Parameters
@@ -153,11 +153,10 @@ def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m
         Reach of the views [m].
     share : (float, float)
         Part of the progress bar.
-    options : name, path_field
-        Of the points' parameters, where they are not INPUT and PHOTO_FIELD.
+    pixels : bool
+        The run tells pixels, so that a picture of unknown size is worth a warning.
     """
-    name = options.get("name", "INPUT")
-    _, rows = read_points(algorithm, parameters, context, name, options.get("path_field", "PHOTO_FIELD"))
+    _, rows = read_points(algorithm, parameters, context, "INPUT", _path_field(algorithm, parameters, context))
     fields = {key: algorithm.parameterAsString(parameters, key, context) for key in POSE_FIELDS}
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
     refraction = algorithm.parameterAsDouble(parameters, "REFRACTION", context)
@@ -174,8 +173,21 @@ def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m
             warn(feedback, row.name, str(error))
             continue
         checkpoint(part, 0.0)
+        if pixels and not sized:
+            text = tr("The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.")
+            warn(feedback, row.name, text)
         yield PhotoView(row.feature, row.name, row.path, view, observer, terrain, sized, part)
         checkpoint(part, 1.0)
+
+
+def _path_field(algorithm, parameters, context):
+    """PHOTO_FIELD, or None where the layer has no such field and the user has not asked for another."""
+    source = algorithm.parameterAsSource(parameters, "INPUT", context)
+    chosen = algorithm.parameterAsString(parameters, "PHOTO_FIELD", context)
+    names = [] if source is None else [field.name().lower() for field in source.fields()]
+    if chosen in ("", "photo") and not set(PATH_FIELDS) & set(names):
+        return None
+    return "PHOTO_FIELD"
 
 
 def _observer(row, values, eye_height_m):

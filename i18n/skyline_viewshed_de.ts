@@ -2648,6 +2648,11 @@
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>Die Größe des Bildes ist unbekannt: Seine Pixel gelten für ein 4000 Pixel breites Bild.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
         <source>The photo has no heading; orient it first.</source>
         <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
     </message>

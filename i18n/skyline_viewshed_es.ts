@@ -2648,6 +2648,11 @@
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>Se desconoce el tamaño de la imagen: sus píxeles se toman como los de una imagen de 4000 px de ancho.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
         <source>The photo has no heading; orient it first.</source>
         <translation>La foto no tiene rumbo; oriéntela primero.</translation>
     </message>

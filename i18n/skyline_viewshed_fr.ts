@@ -2648,6 +2648,11 @@
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>La taille de l'image est inconnue : ses pixels sont pris comme ceux d'une image de 4000 px de large.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/views.py"/>
         <source>The photo has no heading; orient it first.</source>
         <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
     </message>

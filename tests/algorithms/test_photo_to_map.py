@@ -339,6 +339,22 @@ def test_photos_without_heading_or_off_the_dem_are_warned_of(run, scene, oriente
     assert any("outside the DEM" in w for w in feedback.warnings)
 
 
+def test_points_without_photos_cover_ground_and_say_what_their_pixels_are(run, scene, tmp_path):
+    lon, lat = scene.positions["north"]
+    pose = scene.truth["north"]
+    fields = [("heading", QVariant.Double), ("pitch", QVariant.Double), ("hfov", QVariant.Double),
+              ("vfov", QVariant.Double)]  # fmt: skip
+    layer = memory_layer("Point", fields, [(f"Point({lon} {lat})", [pose.heading_deg, pose.pitch_deg, 60.0, 45.0])])
+    results, feedback = run("photocoverage", base(layer, scene, OUTPUT=str(tmp_path / "count.tif")))
+    assert 0 < results["SEEN_SHARE"] < 1
+    assert not feedback.warnings
+    _, feedback = run("whichphotos", base(layer, scene, PLACES=layer, OUTPUT="memory:"))
+    assert any("4000 px" in warning for warning in feedback.warnings)
+    table = pixel_table([["", 400, 500, ""]])
+    placed, feedback = run("pixeltomap", base(layer, scene, PIXELS=table, OUTPUT="memory:"))
+    assert placed["COUNT"] == 0 and any("size is unknown" in warning for warning in feedback.warnings)
+
+
 @pytest.mark.parametrize("name", ["pixeltomap", "drapephoto", "photocoverage"])
 def test_cancelling_leaves_nothing(run, scene, oriented, listener, tmp_path, name):
     out = tmp_path / "out.tif"
