@@ -91,6 +91,10 @@ models: setup ## Rebuild models/*.model3 from tools/make_models.py
 docs: setup ## Renew what docs/ takes from the code: algorithm reference, tables of fields
 	@$(PYTHON) tools/make_docs.py
 
+.PHONY: accuracy-page
+accuracy-page: setup ## Measure on the folders in DATA and write the tables of docs/accuracy.md: [DATA=folder]
+	@$(PYTHON) tools/measure.py $(DATA)
+
 .PHONY: screenshots
 screenshots: setup ## Renew docs/images from the demo, in a QGIS of its own under Xvfb
 	@tools/screenshots/run.sh

@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import (
     QgsApplication,
     QgsBilinearRasterResampler,
+    QgsCoordinateTransform,
     QgsHillshadeRenderer,
     QgsMapRendererSequentialJob,
     QgsMapSettings,
@@ -183,9 +184,14 @@ def save_strip(project, relief):
     """Draw what the photo `morning` shows as a wide map, for the overview."""
     ground = project.mapLayersByName("Ground in view")[0]
     seen = next(f for f in ground.getFeatures() if f["photo"].endswith(("morning.heic", "morning.jpg")))
-    size, whole = QSize(1164, 330), relief.extent()
+    size, whole = QSize(1164, 436), relief.extent()
     height = whole.width() * size.height() / size.width()
-    middle = seen.geometry().boundingBox().center().y()
+    shown = seen.geometry().boundingBox()
+    photos = project.mapLayersByName("Oriented photos")[0]
+    camera = next(f for f in photos.getFeatures() if f["photo"] == seen["photo"]).geometry()
+    camera.transform(QgsCoordinateTransform(photos.crs(), project.crs(), project))
+    shown.combineExtentWith(camera.boundingBox())
+    middle = shown.center().y()
     bottom = max(min(middle - height / 2, whole.yMaximum() - height), whole.yMinimum())
     settings = QgsMapSettings(iface.mapCanvas().mapSettings())
     settings.setOutputSize(size)

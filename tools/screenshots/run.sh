@@ -35,3 +35,4 @@ timeout 400 "$program" --nologo --noversioncheck --profiles-path "$work" --profi
   --code "$root/tools/screenshots/desktop.py" < /dev/null > "$work/qgis.log" 2>&1 || true
 cat "$work/desktop.log"
 .venv/bin/python tools/screenshots/publish.py "$work" docs/images
+PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/failures.py "$SAMPLE" docs/images/failures.png

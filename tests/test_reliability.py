@@ -1,0 +1,203 @@
+"""What a run leaves behind when it is killed, when the disk is full, and when names and DEMs are odd."""
+
+from __future__ import annotations
+
+import hashlib
+import resource
+import shutil
+import signal
+import subprocess
+
+import pytest
+
+pytestmark = pytest.mark.qgis
+
+LIMIT_BYTES = 60_000
+"""Largest file of the run on a nearly full disk: enough for QGIS's own settings, too little for a report."""
+HOSTILE = 'it\'s <img src=x onerror=alert(1)> & "100 %" 🏔 Säntis.jpg'
+
+
+def outputs_in(folder):
+    return {
+        "OUTPUT": folder / "points.gpkg",
+        "POLYGONS": folder / "ground.gpkg",
+        "VIEWSHED": folder / "viewshed.tif",
+        "REPORT": folder / "report.html",
+        "RASTERS": folder / "rasters",
+    }
+
+
+def arguments(photos, dem, outputs):
+    given = {"FOLDER": photos, "DEM": dem, "MAX_DISTANCE": 8000, **outputs}
+    pairs = [f"{name}={value}" for name, value in given.items()]
+    return ["run", "skylineviewshed:photoviewshed", "--", *pairs]
+
+
+def rows_of(path):
+    ogr = pytest.importorskip("osgeo.ogr")
+    source = ogr.Open(str(path))
+    return [feature.items() for feature in source.GetLayer(0)] if source and source.GetLayerCount() else []
+
+
+def assert_whole(outputs, photos):
+    """Every result that is there is a whole one; what is hidden or ends in .part is none."""
+    from osgeo import gdal
+
+    folder = outputs["OUTPUT"].parent
+    rasters = [path for path in folder.rglob("*.tif") if not path.name.startswith(".")]
+    for path in rasters:
+        raster = gdal.Open(str(path))
+        assert raster is not None and raster.ReadAsArray() is not None, path
+    if outputs["REPORT"].exists():
+        assert outputs["REPORT"].read_text(encoding="utf-8").rstrip().endswith("</html>")
+    for name in ("OUTPUT", "POLYGONS"):
+        if outputs[name].exists():
+            assert len(rows_of(outputs[name])) in (0, photos), name
+    known = set(outputs.values()) | set(rasters)
+    strangers = [path for path in folder.iterdir() if path not in known and not path.name.startswith(".")]
+    # SQLite's journals belong to a GeoPackage that was being written; the next opening rolls it back.
+    assert [path for path in strangers if not path.name.endswith(("-wal", "-shm", "-journal"))] == []
+
+
+def fingerprints(folder):
+    """Content of all files but the statistics that QGIS itself writes beside any raster it loads (.aux.xml)."""
+    files = [path for path in folder.rglob("*") if path.is_file() and not path.name.endswith(".aux.xml")]
+    return {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+def kill_at(environment, command, moment, kind):
+    """Start a run, send it the signal when its output shows the moment, and wait for its end."""
+    process = subprocess.Popen(
+        ["qgis_process", *command],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+    )
+    for line in iter(process.stdout.readline, b""):
+        if moment in line:
+            break
+    else:
+        pytest.fail(f"{moment} was never said")
+    process.send_signal(kind)
+    process.communicate(timeout=120)
+    return process.returncode
+
+
+def test_a_killed_batch_leaves_only_whole_results_and_a_repeat_finishes(
+    qgis_process, shell_environment, scene, tmp_path
+):
+    outputs = outputs_in(tmp_path)
+    command = arguments(scene.folder, scene.dem, outputs)
+    originals = fingerprints(scene.folder.parent)
+    for moment, kind in (
+        (b"(1/2)", signal.SIGTERM),
+        (b"(2/2)", signal.SIGKILL),
+        (b"2 photos:", signal.SIGKILL),
+        (b"(2/2)", signal.SIGINT),
+    ):
+        code = kill_at(shell_environment, command, moment, kind)
+        assert code != 0, (moment, kind)
+        assert_whole(outputs, photos=2)
+    done = qgis_process(*command)
+    assert done.returncode == 0, done.stderr
+    assert len(rows_of(outputs["OUTPUT"])) == 2 and outputs["REPORT"].exists() and outputs["VIEWSHED"].exists()
+    assert_whole(outputs, photos=2)
+    assert fingerprints(scene.folder.parent) == originals, "a run must leave photographs and DEM as they are"
+
+
+@pytest.fixture
+def nearly_full(shell_environment):
+    """Run qgis_process where no file can grow beyond LIMIT_BYTES."""
+
+    def run(command):
+        return subprocess.run(
+            ["qgis_process", *command],
+            env=shell_environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=300,
+            restore_signals=False,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT_BYTES, LIMIT_BYTES)),
+        )
+
+    return run
+
+
+def test_a_full_disk_ends_the_run_with_a_sentence_and_no_results(nearly_full, scene, tmp_path):
+    outputs = outputs_in(tmp_path)
+    done = nearly_full(arguments(scene.folder, scene.dem, outputs))
+    assert done.returncode == 1
+    assert "cannot be written" in done.stderr and "free some space" in done.stderr, done.stderr
+    assert not outputs["REPORT"].exists() and not outputs["OUTPUT"].exists()
+
+
+def test_a_layer_that_does_not_fit_on_the_disk_is_taken_away_again(nearly_full, scene, tmp_path):
+    output = tmp_path / "photos.gpkg"
+    done = nearly_full(["run", "skylineviewshed:importphotos", "--", f"FOLDER={scene.folder}", f"OUTPUT={output}"])
+    assert done.returncode == 1
+    assert f"{output} could not be written" in done.stderr, done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["OUTPUT", "VIEWSHED", "REPORT"])
+def test_an_output_below_a_file_is_refused_in_words(qgis_process, scene, tmp_path, name):
+    outputs = outputs_in(tmp_path)
+    (tmp_path / "file").write_text("no folder")
+    outputs[name] = tmp_path / "file" / outputs[name].name
+    done = qgis_process(*arguments(scene.folder / "..", scene.dem, outputs))
+    said = done.stderr + done.stdout
+    assert done.returncode == 1
+    assert "Traceback" not in said and str(tmp_path / "file") in said, said
+
+
+@pytest.fixture(scope="module")
+def odd_run(qgis_process, scene, tmp_path_factory):
+    """One run in a folder of spaces, umlauts, an emoji and more than 200 characters, with the DEM as a VRT in it."""
+    from osgeo import gdal
+
+    folder = tmp_path_factory.mktemp("odd") / "Fotos für Zoë 🏔" / ("lang" * 45) / "50% & more"
+    photos, results = folder / "Bilder", folder / "out put"
+    photos.mkdir(parents=True)
+    assert len(str(photos)) > 200
+    shutil.copy(scene.folder / "north.jpg", photos / HOSTILE)
+    dem = folder / "Höhen modell.vrt"
+    assert gdal.BuildVRT(str(dem), [str(scene.dem)]) is not None
+    outputs = outputs_in(results)
+    return outputs, photos, qgis_process(*arguments(photos, dem, outputs))
+
+
+def test_odd_paths_and_a_vrt_work(odd_run, scene):
+    outputs, photos, done = odd_run
+    assert done.returncode == 0, done.stderr
+    (row,) = rows_of(outputs["OUTPUT"])
+    assert row["photo"] == str(photos / HOSTILE)
+    assert row["heading"] == pytest.approx(scene.truth["north"].heading_deg, abs=0.5)
+    assert len(list(outputs["RASTERS"].glob("*.tif"))) == 1 and outputs["VIEWSHED"].exists()
+
+
+def test_a_hostile_file_name_stays_text_in_the_report(odd_run):
+    report = odd_run[0]["REPORT"].read_text(encoding="utf-8")
+    assert "<img src=x" not in report and "&lt;img src=x onerror=alert(1)&gt;" in report
+
+
+def test_the_same_dem_as_cog_and_in_other_coordinate_systems_gives_the_same_heading(scene, tmp_path):
+    from osgeo import gdal
+    from skyline_viewshed.core.batch import PhotoRequest, orient_request
+    from skyline_viewshed.core.io.raster import open_dem
+
+    cog, utm, degrees = (str(tmp_path / f"{name}.tif") for name in ("cog", "utm", "degrees"))
+    assert gdal.Translate(cog, str(scene.dem), format="COG") is not None
+    gdal.Warp(utm, str(scene.dem), dstSRS="EPSG:32632", resampleAlg="cubic")
+    gdal.Warp(degrees, str(scene.dem), dstSRS="EPSG:4326", resampleAlg="cubic")
+    request = PhotoRequest(str(scene.folder / "north.jpg"))
+    found = {
+        path: orient_request(request, open_dem(path)).orientation.best.pose
+        for path in (str(scene.dem), cog, utm, degrees)
+    }
+    first = found[str(scene.dem)]
+    assert found[cog].heading_deg == pytest.approx(first.heading_deg, abs=1e-6)
+    for path in (utm, degrees):
+        assert found[path].heading_deg == pytest.approx(first.heading_deg, abs=0.15), path
+        assert found[path].pitch_deg == pytest.approx(first.pitch_deg, abs=0.15), path

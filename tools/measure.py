@@ -1,0 +1,173 @@
+"""Measure what docs/accuracy.md claims, and write its tables: `make accuracy-page [DATA=../shared/data]`.
+
+Runs the accuracy benchmark on each folder of DATA that has a truth.csv, with and without the compass, into
+build/measured, then replaces the marked blocks of docs/accuracy.md. Blocks whose figures are not there stay as they
+are; build/simulated.json and build/skyline.json come from `make bench-simulated` and `make bench-skyline`. With
+--write-only nothing is measured.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "accuracy.md"
+MEASURED = ROOT / "build" / "measured"
+BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+COMPASS = ("ignore", "prior")
+LIMITS = ("< 0.5", "< 1", "< 1.5", "< 3")
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data", type=Path, nargs="?", default=ROOT.parent / "shared" / "data")
+    parser.add_argument("--write-only", action="store_true", help="do not measure, only renew the page")
+    given = parser.parse_args(arguments)
+    if not given.write_only:
+        measure(given.data)
+    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), tables()), encoding="utf-8")
+
+
+def measure(data):
+    """Run the accuracy benchmark folder by folder."""
+    MEASURED.mkdir(parents=True, exist_ok=True)
+    for folder in sorted(path.parent for path in data.glob("*/truth.csv")):
+        for compass in COMPASS:
+            target = MEASURED / f"{folder.name}-{compass}.json"
+            command = [sys.executable, ROOT / "benchmarks" / "bench_accuracy.py", folder, "--compass", compass]
+            command += ["--output", target] + (["--no-paper"] if compass == "prior" else [])
+            subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
+
+
+def tables():
+    """Text of each block whose figures are there."""
+    reports = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(MEASURED.glob("*.json"))}
+    blocks = {}
+    if reports:
+        blocks["real"] = real_table(reports)
+        blocks["photos"] = photo_table(reports)
+    for name, table in (("simulated", simulated_tables), ("skyline", skyline_table)):
+        path = ROOT / "build" / f"{name}.json"
+        if path.exists():
+            blocks[name] = table(json.loads(path.read_text(encoding="utf-8")))
+    return blocks
+
+
+def filled(text, blocks):
+    """Replace the blocks that are known."""
+    return BLOCK.sub(
+        lambda m: m.group(1) + blocks[m.group(2)] + m.group(3) if m.group(2) in blocks else m.group(0), text
+    )
+
+
+def table_of(head, rows):
+    """Lines of a Markdown table."""
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
+
+
+def real_table(reports):
+    """Counts per folder and use of the compass, beside the published method and the compass alone."""
+    rows = []
+    for name, report in reports.items():
+        known = [photo for photo in report["photos"] if photo["truth_deg"] is not None]
+        folder, _, compass = name.rpartition("-")
+        label = "robust, blind" if compass == "ignore" else "robust, compass as a hint"
+        rows.append([folder, label, *counts(known, "error_deg"), *verdicts(known)])
+        if compass == "ignore":
+            rows.append([folder, "paper's method", *counts(known, "paper_error_deg"), "", "", ""])
+            recorded = [photo for photo in known if photo["compass_error_deg"] is not None]
+            if recorded:
+                rows.append([folder, "compass alone", *counts(recorded, "compass_error_deg"), "", "", ""])
+    head = ["photographs", "method", "known", *(f"{limit}°" for limit in LIMITS), "median", "accepted"]
+    return table_of([*head, "of these wrong by 3° or more", "90 % interval holds the truth"], rows)
+
+
+def counts(photos, key):
+    """Number, numbers within the limits, and median error."""
+    errors = sorted(abs(photo[key]) for photo in photos if photo[key] is not None)
+    within = [sum(error < float(limit[2:]) for error in errors) for limit in LIMITS]
+    errors += [float("inf")] * (len(photos) - len(errors))
+    middle = errors[len(errors) // 2] if errors else float("inf")
+    if errors and len(errors) % 2 == 0:
+        middle = (middle + errors[len(errors) // 2 - 1]) / 2
+    return [len(photos), *within, f"{middle:.2f}°" if middle < 1e9 else "none"]
+
+
+def verdicts(photos):
+    """Accepted, accepted and wrong, intervals that hold the truth."""
+    accepted = [photo for photo in photos if photo["status"] == "accepted"]
+    wrong = sum(abs(photo["error_deg"]) >= 3 for photo in accepted)
+    covered = [photo["covered"] for photo in photos if photo["covered"] is not None]
+    return [len(accepted), wrong, f"{sum(covered)} of {len(covered)}"]
+
+
+def photo_table(reports):
+    """Blind answers photo by photo."""
+    rows = []
+    for name, report in reports.items():
+        if not name.endswith("-ignore"):
+            continue
+        for photo in report["photos"]:
+            sure = photo["p_correct"]
+            rows.append(
+                [
+                    f"{name.rpartition('-')[0]}, {photo['group']}",
+                    photo["photo"],
+                    photo["status"],
+                    signed(photo["error_deg"]),
+                    "" if sure is None else f"{sure:.2f}",
+                    signed(photo.get("paper_error_deg")),
+                    signed(photo["compass_error_deg"]),
+                ]
+            )
+    return table_of(["group", "photo", "status", "error", "`p_correct`", "paper's method", "compass"], rows)
+
+
+def signed(value):
+    """Degrees with a sign, or a dash."""
+    return "–" if value is None else f"{value:+.2f}°"
+
+
+def simulated_tables(report):
+    """Levels and kinds of weather, then what was promised and what was kept."""
+    summary = report["summary"]
+    rows = []
+    for name, row in [*summary["levels"].items(), *summary["full_by"].items(), ("all pictures", summary["images"])]:
+        if not row["photos"]:
+            continue
+        shares = [f"{100 * row[f'within_{limit}']:.0f} %" for limit in ("0.2", "0.5", "1", "3")]
+        cover = "–" if row["coverage_90"] is None else f"{100 * row['coverage_90']:.0f} %"
+        label = name if name in summary["levels"] or name == "all pictures" else f"full, {name}"
+        rows.append([label, row["photos"], *shares, f"{100 * row['accepted']:.0f} %", row["accepted_wrong"], cover])
+    head = ["scenes", "photos", "< 0.2°", "< 0.5°", "< 1°", "< 3°", "accepted", "of these wrong by 3° or more"]
+    text = table_of([*head, "90 % interval holds the truth"], rows)
+    kept = [
+        [f"{r['from']:.2f} to {r['to']:.2f}", r["photos"], f"{r['promised']:.2f}", f"{r['kept']:.2f}"]
+        for r in summary["reliability"]
+    ]
+    return text + "\n" + table_of(["`p_correct`", "photos", "mean promise", "share within 3°"], kept)
+
+
+def skyline_table(report):
+    """Vertical errors of both methods' skylines."""
+    names = (
+        ("median_of_medians_px", "median of the images' medians", "{:.1f} px"),
+        ("mean_of_medians_px", "mean of the images' medians", "{:.1f} px"),
+        ("images_below_1_percent", "images with a median below 1 % of the height", "{:.0%}"),
+        ("columns_below_1_percent", "columns below 1 %", "{:.0%}"),
+        ("columns_below_3_percent", "columns below 3 %", "{:.0%}"),
+        ("mean_seconds", "CPU time per image", "{:.2f} s"),
+    )
+    both = report["summary"]
+    rows = [[label, form.format(both["robust"][key]), form.format(both["paper"][key])] for key, label, form in names]
+    return table_of(["", "robust", "paper"], rows)
+
+
+if __name__ == "__main__":
+    main()
