@@ -70,7 +70,7 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
     if not (0 <= row < terrain.shape[0] and 0 <= col < terrain.shape[1]):
         raise ObserverOutsideDemError(*position)
     cell_m = frame.cell_m
-    steps = max(int(options.max_distance_m / cell_m), 1)
+    steps = max(int(options.max_distance_m / cell_m + 1e-6), 1)
     window = Window(row - steps, col - steps, 2 * steps + 1, 2 * steps + 1).clipped(terrain.shape)
     cells = terrain.read(window)
     eye_m = float(cells[row - window.row, col - window.col]) + options.eye_height_m

@@ -1,4 +1,4 @@
-"""Viewsheds as polygons: traced along the cells, dissolved per photograph, measured on the ellipsoid."""
+"""Ground in view as one valid, dissolved multipolygon per photograph, with its area on the ellipsoid."""
 
 from __future__ import annotations
 
@@ -7,10 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from .crs import spatial_reference
+from .crs import local_plane, spatial_reference
 from .gdal_quiet import quiet_gdal
 
 VISIBLE = 1
+
+SIMPLIFY_CELLS = 0.7
+"""Stair-steps of one cell vanish at this tolerance; no corner moves by a whole cell."""
 
 
 @dataclass(frozen=True)
@@ -22,55 +25,63 @@ class GroundPolygon:
     wkb : bytes or None
         Multipolygon in the DEM's CRS; None where nothing is seen.
     area_m2 : float
-        On the ellipsoid [m2].
+        Of the polygon, on the ellipsoid [m2].
     farthest_m : float or None
         Ground distance of the farthest cell seen [m].
+    dropped_m2 : float
+        Area of the parts left out as too small, by the cell size at the observer [m2].
     """
 
     wkb: bytes | None
     area_m2: float
     farthest_m: float | None
+    dropped_m2: float = 0.0
 
 
-def viewshed_polygons(viewshed, dem, smallest_m2=0.0):
-    """Trace a viewshed's visible cells.
+def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CELLS):
+    """Turn a viewshed's visible cells into a multipolygon.
 
     Parameters
     ----------
     viewshed : core.viewshed.Viewshed
+        Or anything with `window`, `values` and `frame`.
     dem : Dem
         On whose grid it was computed.
     smallest_m2 : float
-        Parts below this are dropped [m2].
+        Parts below this are dropped, and holes below it filled [m2].
+    simplify_cells : float
+        Tolerance of the simplification, below 1 [cells]; 0 keeps the cells' outlines.
 
     Returns
     -------
     GroundPolygon
     """
-    seen = viewshed.values == VISIBLE
-    if not seen.any():
+    if not 0 <= simplify_cells < 1:
+        raise ValueError(f"the simplification must stay below one cell, not {simplify_cells}")
+    visible = viewshed.values == VISIBLE
+    rows, cols = np.flatnonzero(visible.any(axis=1)), np.flatnonzero(visible.any(axis=0))
+    if len(rows) == 0:
         return GroundPolygon(None, 0.0, None)
-    to_equal_area = _equal_area(dem.crs_wkt, viewshed.frame)
-    whole, area_m2 = ogr.Geometry(ogr.wkbMultiPolygon), 0.0
-    for part in _parts(seen, viewshed.window, dem):
-        flat = part.Clone()
-        flat.Transform(to_equal_area)
-        part_m2 = abs(flat.GetArea())
-        if part_m2 >= smallest_m2:
-            whole.AddGeometry(part)
-            area_m2 += part_m2
-    wkb = None if whole.IsEmpty() else bytes(whole.ExportToWkb(ogr.wkbNDR))
-    return GroundPolygon(wkb, area_m2, _farthest_m(seen, viewshed))
+    mask = visible[rows[0] : rows[-1] + 1, cols[0] : cols[-1] + 1]
+    first_row, first_col = viewshed.window.row + int(rows[0]), viewshed.window.col + int(cols[0])
+    cell_m2 = float(np.prod(viewshed.frame.cell_size_m))
+    parts, dropped = _keep(_outlines(mask, first_row, first_col), smallest_m2 / cell_m2, simplify_cells)
+    farthest = _farthest_m(mask, first_row, first_col, viewshed.frame)
+    if not parts.GetGeometryCount():
+        return GroundPolygon(None, 0.0, farthest, dropped * cell_m2)
+    whole = _dissolved(parts)
+    _to_crs(whole, dem.geotransform)
+    area = _area_m2(whole, dem.crs_wkt, viewshed.frame)
+    return GroundPolygon(bytes(whole.ExportToWkb(ogr.wkbNDR)), area, farthest, dropped * cell_m2)
 
 
-def _parts(seen, window, dem):
-    """Polygons along the cells' edges; cells that touch at a corner only belong to different parts, which is valid."""
-    rows, cols = seen.shape
-    x0, dx, _, y0, _, dy = dem.geotransform
+def _outlines(mask, first_row, first_col):
+    """Polygons around the mask's 4-connected parts, in pixels of the raster (corners at whole numbers + 0.5)."""
+    rows, cols = mask.shape
     raster = gdal.GetDriverByName("MEM").Create("", cols, rows, 1, gdal.GDT_Byte)
-    raster.SetGeoTransform((x0 + window.col * dx, dx, 0.0, y0 + window.row * dy, 0.0, dy))
+    raster.SetGeoTransform((first_col - 0.5, 1, 0, first_row - 0.5, 0, 1))
     band = raster.GetRasterBand(1)
-    band.WriteArray(seen.astype(np.uint8))
+    band.WriteArray(mask.astype(np.uint8))
     table = ogr.GetDriverByName("Memory").CreateDataSource("")
     layer = table.CreateLayer("seen", None, ogr.wkbPolygon)
     with quiet_gdal():
@@ -78,19 +89,69 @@ def _parts(seen, window, dem):
     return [feature.GetGeometryRef().Clone() for feature in layer]
 
 
-def _equal_area(crs_wkt, frame):
-    """Transformation into an equal-area plane around the observer."""
-    plane = (
-        f"+proj=laea +lat_0={float(frame.latitude_deg)!r} +lon_0={float(frame.longitude_deg)!r} +datum=WGS84 +units=m"
-    )
-    return osr.CoordinateTransformation(spatial_reference(crs_wkt), spatial_reference(plane))
+def _keep(outlines, smallest_cells, simplify_cells):
+    """Drop small parts, fill small holes, simplify the rest: (multipolygon, dropped area [cells])."""
+    parts, dropped = ogr.Geometry(ogr.wkbMultiPolygon), 0.0
+    for outline in outlines:
+        area = outline.GetArea()
+        if area < smallest_cells:
+            dropped += area
+            continue
+        filled = ogr.Geometry(ogr.wkbPolygon)
+        filled.AddGeometry(outline.GetGeometryRef(0))
+        for ring in range(1, outline.GetGeometryCount()):
+            if outline.GetGeometryRef(ring).GetArea() >= smallest_cells:
+                filled.AddGeometry(outline.GetGeometryRef(ring))
+        simple = filled.SimplifyPreserveTopology(simplify_cells) if simplify_cells else filled
+        for polygon in _polygons_of(filled if simple is None or simple.IsEmpty() else simple):
+            parts.AddGeometry(polygon)
+    return parts, dropped
 
 
-def _farthest_m(seen, viewshed):
+def _dissolved(parts):
+    """Union of polygons that may touch, or overlap a little after simplification, as one valid multipolygon."""
+    with quiet_gdal():
+        whole = parts.UnionCascaded()
+        if whole is None or not whole.IsValid():
+            whole = (parts if whole is None else whole).MakeValid()
+    result = ogr.Geometry(ogr.wkbMultiPolygon)
+    for polygon in _polygons_of(whole):
+        result.AddGeometry(polygon)
+    return result
+
+
+def _polygons_of(geometry):
+    """Yield the polygons within any geometry; lines and points that repairs leave behind are no ground."""
+    kind = ogr.GT_Flatten(geometry.GetGeometryType())
+    if kind == ogr.wkbPolygon and geometry.GetArea() > 0:
+        yield geometry
+    elif kind in (ogr.wkbMultiPolygon, ogr.wkbGeometryCollection):
+        for index in range(geometry.GetGeometryCount()):
+            yield from _polygons_of(geometry.GetGeometryRef(index))
+
+
+def _to_crs(geometry, geotransform):
+    """Map pixels (first cell's centre at 0) to the raster's CRS, in place."""
+    x0, dx, _, y0, _, dy = geotransform
+    for index in range(geometry.GetGeometryCount()):
+        polygon = geometry.GetGeometryRef(index)
+        for ring in (polygon.GetGeometryRef(number) for number in range(polygon.GetGeometryCount())):
+            for corner, (col, row, *_) in enumerate(ring.GetPoints()):
+                ring.SetPoint_2D(corner, x0 + dx * (col + 0.5), y0 + dy * (row + 0.5))
+
+
+def _farthest_m(mask, first_row, first_col, frame):
     """Distance of the farthest visible cell's centre [m]; only the outermost cells of rows can be it."""
-    rows = np.flatnonzero(seen.any(axis=1))
-    first = seen[rows].argmax(axis=1)
-    last = seen.shape[1] - 1 - seen[rows][:, ::-1].argmax(axis=1)
-    row = np.concatenate([rows, rows]) + viewshed.window.row
-    col = np.concatenate([first, last]) + viewshed.window.col
-    return float(np.hypot(*viewshed.frame.to_local(col, row)).max())
+    row = np.flatnonzero(mask.any(axis=1))
+    left, right = mask[row].argmax(axis=1), mask.shape[1] - 1 - mask[row][:, ::-1].argmax(axis=1)
+    east, north = frame.to_local(np.concatenate([left, right]) + first_col, np.tile(row, 2) + first_row)
+    return float(np.hypot(east, north).max())
+
+
+def _area_m2(geometry, crs_wkt, frame):
+    """Area on the ellipsoid, by an equal-area projection around the observer [m2]."""
+    plane = local_plane(float(frame.longitude_deg), float(frame.latitude_deg)).replace("+proj=aeqd", "+proj=laea")
+    flat = geometry.Clone()
+    with quiet_gdal():
+        flat.Transform(osr.CoordinateTransformation(spatial_reference(crs_wkt), spatial_reference(plane)))
+    return float(flat.GetArea())
