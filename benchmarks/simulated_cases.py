@@ -108,7 +108,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     path = paths[int(generator.random() * len(paths))]
     dem = dem_of(path)
     cell_m = dem.frame(*map(float, dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)), 2_000.0).cell_m
-    strength = 0.0 if level == "perfect" else float(np.exp(np.log(0.25) + np.log(3.2) * generator.random()))
+    strength = 0.0 if level == "perfect" else float(np.exp(np.log(0.8) + np.log(3.0) * generator.random()))
     factor = 1 if level == "perfect" else (4 if cell_m > 50 else 2)
     detail_seed = int(generator.integers(2**31))
     terrain = terrain_of(path, factor, detail_seed, strength)
@@ -137,7 +137,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
 def terrain_of(path, factor, seed, strength):
     """The mountain that the camera sees."""
     dem = dem_of(path)
-    return dem if factor == 1 else DetailedTerrain(dem, factor, seed, strength, 0.4 + strength)
+    return dem if factor == 1 else DetailedTerrain(dem, factor, seed, strength, sharpening=0.5)
 
 
 def _draw_camera(generator, level, long_side):

@@ -116,7 +116,7 @@ PATTERN_CELLS = 512
 @lru_cache(maxsize=4)
 def _rough_pattern(seed, fine_per_coarse):
     """Periodic roughness on the fine grid: crests are sharp and gullies blunt, since noise is folded at its zeros."""
-    noise = fractal_field(seed, 1.7, PATTERN_CELLS, 4.0 * fine_per_coarse)
+    noise = fractal_field(seed, 1.9, PATTERN_CELLS, 14.0 * fine_per_coarse)
     return 0.8 * (0.8 - np.abs(noise)) + 0.55 * noise
 
 

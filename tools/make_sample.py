@@ -74,7 +74,7 @@ def take(folder, dem, generator, shot, seed):
     """Take one photograph from a random place with a view; give its row of truth."""
     name, width, height, f35, hours, weather = shot
     camera = Camera(width, height, focal_from_35mm_px(width, height, f35))
-    mountain = DetailedTerrain(dem, 3, seed, strength=0.2)
+    mountain = DetailedTerrain(dem, 3, seed, strength=0.6)
     options = ViewpointOptions(range_m=40_000.0, least_relief_deg=1.2, roll_sigma_deg=1.5, largest_roll_deg=3.0)
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, mountain)
     when = NOON_UTC + timedelta(hours=hours)
