@@ -25,7 +25,7 @@ class GroundPolygon:
     wkb : bytes or None
         Multipolygon in the DEM's CRS; None where nothing is seen.
     area_m2 : float
-        Of the polygon, on the ellipsoid [m2].
+        Of its cells before simplification, on the ellipsoid [m2].
     farthest_m : float or None
         Ground distance of the farthest cell seen [m].
     dropped_m2 : float
@@ -65,13 +65,14 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
     mask = visible[rows[0] : rows[-1] + 1, cols[0] : cols[-1] + 1]
     first_row, first_col = viewshed.window.row + int(rows[0]), viewshed.window.col + int(cols[0])
     cell_m2 = float(np.prod(viewshed.frame.cell_size_m))
-    parts, dropped = _keep(_outlines(mask, first_row, first_col), smallest_m2 / cell_m2, simplify_cells)
+    exact, dropped = _keep(_outlines(mask, first_row, first_col), smallest_m2 / cell_m2)
     farthest = _farthest_m(mask, first_row, first_col, viewshed.frame)
-    if not parts.GetGeometryCount():
+    if not exact.GetGeometryCount():
         return GroundPolygon(None, 0.0, farthest, dropped * cell_m2)
-    whole = _dissolved(parts)
-    _to_crs(whole, dem.geotransform)
-    area = _area_m2(whole, dem.crs_wkt, viewshed.frame)
+    whole = _dissolved(_simplified(exact, simplify_cells)) if simplify_cells else exact.Clone()
+    for geometry in (exact, whole):
+        _to_crs(geometry, dem.geotransform)
+    area = _area_m2(exact, dem.crs_wkt, viewshed.frame)
     return GroundPolygon(bytes(whole.ExportToWkb(ogr.wkbNDR)), area, farthest, dropped * cell_m2)
 
 
@@ -89,8 +90,8 @@ def _outlines(mask, first_row, first_col):
     return [feature.GetGeometryRef().Clone() for feature in layer]
 
 
-def _keep(outlines, smallest_cells, simplify_cells):
-    """Drop small parts, fill small holes, simplify the rest: (multipolygon, dropped area [cells])."""
+def _keep(outlines, smallest_cells):
+    """Drop small parts and fill small holes: (multipolygon, dropped area [cells])."""
     parts, dropped = ogr.Geometry(ogr.wkbMultiPolygon), 0.0
     for outline in outlines:
         area = outline.GetArea()
@@ -102,10 +103,18 @@ def _keep(outlines, smallest_cells, simplify_cells):
         for ring in range(1, outline.GetGeometryCount()):
             if outline.GetGeometryRef(ring).GetArea() >= smallest_cells:
                 filled.AddGeometry(outline.GetGeometryRef(ring))
-        simple = filled.SimplifyPreserveTopology(simplify_cells) if simplify_cells else filled
-        for polygon in _polygons_of(filled if simple is None or simple.IsEmpty() else simple):
-            parts.AddGeometry(polygon)
+        parts.AddGeometry(filled)
     return parts, dropped
+
+
+def _simplified(parts, tolerance_px):
+    """Each polygon with fewer corners; none vanishes."""
+    result = ogr.Geometry(ogr.wkbMultiPolygon)
+    for polygon in _polygons_of(parts):
+        simple = polygon.SimplifyPreserveTopology(tolerance_px)
+        for piece in _polygons_of(polygon if simple is None or simple.IsEmpty() else simple):
+            result.AddGeometry(piece)
+    return result
 
 
 def _dissolved(parts):

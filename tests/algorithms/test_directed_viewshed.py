@@ -109,7 +109,7 @@ def test_polygons_tell_the_raster_s_area_and_reach(call, scene, tmp_path):
         own = gdal.Open(str(rasters / feature["photo"].replace(".jpg", ".tif")))
         seen = (own.ReadAsArray() == 1).sum()
         assert feature.geometry().isGeosValid()
-        assert feature.geometry().area() == pytest.approx(seen * 75.0**2, rel=1e-6)
+        assert feature.geometry().area() == pytest.approx(seen * 75.0**2, rel=0.02)  # outlines are simplified
         assert feature["area_m2"] == pytest.approx(seen * 75.0**2, rel=1e-3)
         assert 500 < feature["farthest_m"] <= 8000 + 110
 
