@@ -21,6 +21,10 @@ SRGB_TO_XYZ = np.array(
 """Linear sRGB to CIE XYZ, white point D65 (IEC 61966-2-1)."""
 
 MEDIAN_TILE_PX = 128
+LARGE = 90_000_000
+"""Values (30 megapixels in colour) above which a picture is shrunk in strips, to spare memory."""
+
+STRIP_PX = 32
 REMAP_LIMIT_PX = 32_767  # cv2.remap refuses any longer side
 
 
@@ -77,14 +81,20 @@ def shrink(image, width_px, height_px):
     if (height_px, width_px) == (height, width):
         return image.astype(np.float32)
     cv2 = _cv2()
-    if cv2:
-        # Rounding to whole grey levels would cost faint far ridges their edge, so uint8 is not averaged in place.
+    if cv2 and image.size <= LARGE:
+        # Rounding to whole grey levels would cost faint far ridges their edge, so bytes are not averaged as bytes.
         return cv2.resize(image.astype(np.float32), (width_px, height_px), interpolation=cv2.INTER_AREA)
-    channels = image.reshape(height, -1)
-    rows = _area_weights(height, height_px) @ channels.astype(np.float32)
-    columns = rows.reshape(height_px, width, -1).transpose(1, 0, 2).reshape(width, -1)
-    out = (_area_weights(width, width_px) @ columns).reshape(width_px, height_px, -1).transpose(1, 0, 2)
-    return np.ascontiguousarray(out.reshape((height_px, width_px) + image.shape[2:]))
+    down, across = _area_weights(height, height_px), _area_weights(width, width_px)
+    out = np.empty((height_px, width_px) + image.shape[2:], np.float32)
+    for top in range(0, height_px, STRIP_PX):
+        # Strip by strip, so that a hundred megapixels are never held as floats at once.
+        weights = down[top : top + STRIP_PX]
+        first, last = weights.indices.min(), weights.indices.max() + 1
+        rows = weights[:, first:last] @ image[first:last].reshape(last - first, -1).astype(np.float32)
+        columns = rows.reshape(len(rows), width, -1).transpose(1, 0, 2).reshape(width, -1)
+        strip = (across @ columns).reshape(width_px, len(rows), -1).transpose(1, 0, 2)
+        out[top : top + STRIP_PX] = strip.reshape((len(rows), width_px) + image.shape[2:])
+    return out
 
 
 def _area_weights(size, size_out):

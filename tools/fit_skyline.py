@@ -1,6 +1,6 @@
 """Fit the skyline weights: a conditional logit on simulated photographs and hand-made masks.
 
-    python tools/fit_skyline.py MASKS [--scenes 160] [--variants 4]
+    python tools/fit_skyline.py MASKS [--scenes 88] [--variants 4]
 
 MASKS holds `images` and `masks` (white is mountain). Simulated photographs come from `benchmarks/simulated_cases.py`
 and are kept in `build/skyline_teacher`. Each picture enters as it is and in a few variants (cropped so that the ridge
@@ -205,7 +205,7 @@ def table(names, weights):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("masks")
-    parser.add_argument("--scenes", type=int, default=160)
+    parser.add_argument("--scenes", type=int, default=88)
     parser.add_argument("--variants", type=int, default=4)
     parser.add_argument("--out", default=str(ROOT))
     options = parser.parse_args()

@@ -93,6 +93,14 @@ def test_shrinking_keeps_the_mean(width_px, height_px, seed):
     assert imaging.shrink(image, width_px, height_px).mean() == pytest.approx(image.mean(), rel=1e-4)
 
 
+def test_a_large_picture_is_shrunk_in_strips_to_the_same_result(monkeypatch):
+    """Several strips, odd factors."""
+    image = picture(701, 503)
+    whole = imaging.shrink(image, 97, 131)
+    monkeypatch.setattr(imaging, "LARGE", 1000)
+    np.testing.assert_allclose(imaging.shrink(image, 97, 131), whole, atol=2e-3)
+
+
 def test_shrinking_refuses_to_enlarge():
     """Enlarging is no averaging."""
     with pytest.raises(ValueError, match="cannot shrink"):

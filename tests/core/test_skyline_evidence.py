@@ -39,6 +39,13 @@ def mountain_scene(width=512, height=384, seed=0, row_px=None, haze=0.0, grain=3
     return np.clip(picture + rng.normal(0, grain, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
 
 
+@pytest.fixture(scope="module")
+def clear():
+    """An ordinary scene, its rows and its evidence, made once."""
+    pixels, truth = mountain_scene()
+    return pixels, truth, skyline_evidence(pixels)
+
+
 def rows_off(evidence, truth):
     """Absolute error of the best line at believed columns [rows of the reduced picture]."""
     height, width = evidence.probability.shape
@@ -47,8 +54,9 @@ def rows_off(evidence, truth):
     return np.abs(evidence.best.row_px - np.interp(columns, np.arange(len(truth)), truth) * scale)
 
 
-@pytest.mark.parametrize("haze", [0.0, 0.5])
-@pytest.mark.parametrize("size", [(512, 384), (384, 512), (1200, 800), (300, 200)])
+@pytest.mark.parametrize(
+    ("size", "haze"), [((512, 384), 0.5), ((384, 512), 0.0), ((1200, 800), 0.5), ((300, 200), 0.0)]
+)
 def test_a_drawn_ridge_is_found_to_a_row(size, haze):
     """Landscape, portrait, larger and smaller than the working size, clear and hazy."""
     pixels, truth = mountain_scene(*size, haze=haze)
@@ -60,33 +68,33 @@ def test_a_drawn_ridge_is_found_to_a_row(size, haze):
     assert (evidence.width_px, evidence.height_px) == size
 
 
-def test_every_column_is_a_distribution():
+def test_every_column_is_a_distribution(clear):
     """Sums to one, none negative, float32."""
-    probability = skyline_evidence(mountain_scene()[0]).probability
+    probability = clear[2].probability
     assert probability.dtype == np.float32
     assert probability.min() >= 0
     np.testing.assert_allclose(probability.sum(0), 1, atol=1e-4)
 
 
-def test_a_reduced_copy_keeps_the_full_size():
+def test_a_reduced_copy_keeps_the_full_size(clear):
     """Only the sizes differ from the evidence of the copy itself."""
-    pixels, _ = mountain_scene()
+    pixels, _, own = clear
     evidence = skyline_evidence(pixels, width_px=4096, height_px=3072)
     assert (evidence.width_px, evidence.height_px) == (4096, 3072)
-    np.testing.assert_array_equal(evidence.probability, skyline_evidence(pixels).probability)
+    np.testing.assert_array_equal(evidence.probability, own.probability)
 
 
-def test_the_mirrored_picture_has_the_mirrored_skyline():
+def test_the_mirrored_picture_has_the_mirrored_skyline(clear):
     """Nothing prefers left or right."""
-    pixels, _ = mountain_scene()
-    straight = skyline_evidence(pixels).best.row_px
+    pixels, _, evidence = clear
+    straight = evidence.best.row_px
     mirrored = skyline_evidence(np.ascontiguousarray(pixels[:, ::-1])).best.row_px[::-1]
     assert np.mean(np.abs(straight - mirrored) <= 1) > 0.95
 
 
-def test_a_grey_picture_still_has_a_skyline():
+def test_a_grey_picture_still_has_a_skyline(clear):
     """Photochroms and black-and-white scans carry no colour."""
-    pixels, truth = mountain_scene()
+    pixels, truth, _ = clear
     grey = np.repeat(imaging.to_grey(pixels)[..., None], 3, 2)
     assert np.median(rows_off(skyline_evidence(grey), truth)) <= 1
 
@@ -96,16 +104,16 @@ def test_a_ridge_that_leaves_the_frame_says_nothing_there():
     row_px = ridge_rows(512, 384, 0.1, 0.25)
     pixels, _ = mountain_scene(row_px=row_px)
     evidence = skyline_evidence(pixels)
-    cut, clear = row_px < -8, row_px > 12
+    cut, seen = row_px < -8, row_px > 12
     assert cut.sum() > 50
     assert np.mean(evidence.probability.max(0)[cut] < 0.1) > 0.7
     assert np.mean(evidence.best.confidence[cut] == 0) > 0.7
-    assert np.mean(evidence.best.confidence[clear] > 0.3) > 0.8
+    assert np.mean(evidence.best.confidence[seen] > 0.3) > 0.8
 
 
-def test_a_frame_is_cut_off_and_flat():
+def test_a_frame_is_cut_off_and_flat(clear):
     """White border: the skyline inside is found, the columns of the border are flat."""
-    pixels, truth = mountain_scene()
+    pixels, truth, _ = clear
     framed = np.pad(pixels, ((20, 30), (25, 25), (0, 0)), constant_values=250)
     evidence = skyline_evidence(framed)
     height, width = evidence.probability.shape
@@ -119,10 +127,9 @@ def test_a_frame_is_cut_off_and_flat():
     assert np.median(np.abs(evidence.best.row_px[left : width - right] - inner)) <= 1.5
 
 
-def test_sky_and_ridge_scores_lie_on_their_sides():
+def test_sky_and_ridge_scores_lie_on_their_sides(clear):
     """Sky-like above and ground-like below the line; interior ridges only below it."""
-    pixels, truth = mountain_scene()
-    evidence = skyline_evidence(pixels)
+    _, truth, evidence = clear
     y = np.arange(384)[:, None]
     assert np.mean(evidence.sky_score[y < truth - 3] > 0) > 0.9
     assert np.mean(evidence.sky_score[y > truth + 3] < 0) > 0.9
@@ -175,11 +182,10 @@ def test_degenerate_pictures_give_finite_probabilities(name):
     assert np.isfinite(evidence.ridge_score).all()
 
 
-def test_pure_noise_is_not_believed():
+def test_pure_noise_is_not_believed(clear):
     """Confidence stays far below that of a clear ridge."""
     noise = skyline_evidence(np.random.default_rng(2).integers(0, 256, (240, 320, 3)).astype(np.uint8))
-    clear = skyline_evidence(mountain_scene()[0])
-    assert noise.best.confidence.mean() < 0.6 * clear.best.confidence.mean()
+    assert noise.best.confidence.mean() < 0.6 * clear[2].best.confidence.mean()
 
 
 def test_without_opencv_the_evidence_is_the_same(monkeypatch):
@@ -192,10 +198,10 @@ def test_without_opencv_the_evidence_is_the_same(monkeypatch):
     assert np.abs(fast.probability - plain.probability).sum(0).mean() < 0.05
 
 
-def test_other_weights_take_the_place_of_the_shipped_ones():
+def test_other_weights_take_the_place_of_the_shipped_ones(clear):
     """All weight on "high up": the line follows."""
     weights = {**dict.fromkeys(shipped_weights(), 0.0), "row": 60.0}
-    evidence = skyline_evidence(mountain_scene()[0], EvidenceOptions(weights=weights))
+    evidence = skyline_evidence(clear[0], EvidenceOptions(weights=weights))
     assert np.median(evidence.best.row_px) > 370
 
 
