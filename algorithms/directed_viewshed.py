@@ -12,7 +12,7 @@ from .elevation import dem_fault, dem_source
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
 from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, add_range_parameters, range_fault, see_each, viewshed_options
+from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
 
 POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
 
@@ -122,8 +122,9 @@ class DirectedViewshed(SkylineAlgorithm):
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         options, dem = viewshed_options(self, parameters, context), self.dem.open()
         folder = self.parameterAsString(parameters, "RASTERS", context)
-        outputs = ViewshedOutputs(dem, folder)
-        for sight, viewshed in see_each(sights, dem, kind, eye_height_m, options, feedback, (0.0, 0.9)):
+        outputs = ViewshedOutputs(dem)
+        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folder)
+        for sight, viewshed in viewer.each(sights, (0.0, 0.9)):
             outputs.add(sight, viewshed)
         results = {
             "OUTPUT": outputs.write_count(self, parameters, "OUTPUT", context, feedback),

@@ -93,8 +93,10 @@ def request_of(row, rescue, eye_height_m):
     )
 
 
-def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
+def orient_each(requests, dem, options, feedback, share=(0.0, 1.0), part_of_photo=1.0):
     """Orient one request after the other and yield each `OrientedPhoto`.
+
+    `share` is the loop's of the progress bar, `part_of_photo` the orientation's of each photo in it.
 
     A photo's fault becomes a status and a warning; cancelling says how far the run came and raises `Cancelled`.
     """
@@ -104,7 +106,7 @@ def orient_each(requests, dem, options, feedback, share=(0.0, 1.0)):
     for index, request in enumerate(requests):
         name = tr("A point without a photo") if request is None else Path(request.path).name
         announce(feedback, name, index, len(requests))
-        part = subtask(progress, index / len(requests), (index + 1) / len(requests))
+        part = subtask(progress, index / len(requests), (index + part_of_photo) / len(requests))
         try:
             oriented = without_photo() if request is None else orient_request(request, dem, options, cache, part)
         except TerrainError:

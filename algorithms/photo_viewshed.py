@@ -28,7 +28,11 @@ from .reporting import PhotoReport
 from .rescue import add_rescue_parameters
 from .styling import style_on_completion
 from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, add_range_parameters, range_fault, see, viewshed_options
+from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
+
+SHARE = (0.0, 0.95)
+ORIENTATION_PART = 0.8
+"""Of a photo's share of the progress bar; its viewshed has the rest."""
 
 
 class PhotoViewshed(SkylineAlgorithm):
@@ -140,34 +144,36 @@ class PhotoViewshed(SkylineAlgorithm):
         options = options_of(self, parameters, context, "HORIZON_DISTANCE")
         requests = requests_of(self, parameters, context, photos.rows)
         dem = self.dem.open()
-        ground = ViewshedOutputs(dem, self.parameterAsString(parameters, "RASTERS", context))
+        ground = ViewshedOutputs(dem)
         features, statuses = [], []
         with PhotoReport(self, parameters, context, len(photos.rows)) as report:
-            viewer = self._viewer(parameters, context, dem, feedback, options.method, len(photos.rows))
-            for row, oriented in zip(photos.rows, orient_each(requests, dem, options, feedback, (0.0, 0.8))):
+            view = self._view_of(parameters, context, dem, feedback, options.method, len(photos.rows))
+            oriented_photos = orient_each(requests, dem, options, feedback, SHARE, ORIENTATION_PART)
+            for row, oriented in zip(photos.rows, oriented_photos):
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)
                 sight = sight_of(row, oriented)
-                viewshed = viewer(sight, oriented.orientation.status, len(statuses) - 1)
+                viewshed = view(sight, oriented.orientation.status, len(statuses) - 1)
                 report.add(oriented, None if viewshed is None else ground.add(sight, viewshed))
             feedback.pushInfo(summary(statuses))
             outputs = self._write(parameters, context, feedback, photos, features, ground)
         counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
         return {**outputs, **counts, **report.outputs()}
 
-    def _viewer(self, parameters, context, dem, feedback, method, count):
+    def _view_of(self, parameters, context, dem, feedback, method, count):
         """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         options = viewshed_options(self, parameters, context)
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
-        progress = subtask(FeedbackProgress(feedback), 0.0, 0.95)
+        folder = self.parameterAsString(parameters, "RASTERS", context)
+        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folder)
+        progress = subtask(FeedbackProgress(feedback), *SHARE)
 
         def view(sight, status, index):
             if sight.heading_deg is None or not (status == "accepted" or doubtful):
                 return None
-            part = subtask(progress, (index + 0.8) / count, (index + 1) / count)
-            return see(sight, dem, kind, eye_height_m, options, feedback, part)
+            return viewer.view(sight, subtask(progress, (index + ORIENTATION_PART) / count, (index + 1) / count))
 
         return view
 
@@ -180,7 +186,8 @@ class PhotoViewshed(SkylineAlgorithm):
         specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs()
         style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         results = {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
-        return {**results, "RASTERS": ground.folder} if ground.folder else results
+        folder = self.parameterAsString(parameters, "RASTERS", context)
+        return {**results, "RASTERS": folder} if folder else results
 
 
 def sight_of(row, oriented):

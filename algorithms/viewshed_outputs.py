@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from qgis.core import QgsGeometry, QgsProcessingException, QgsWkbTypes
 
 from ..core.progress import checkpoint
@@ -12,10 +10,8 @@ from .fields import FieldSpec, qgis_fields
 from .i18n import tr
 from .outputs import make_folder_of, write_features
 from .styling import style_on_completion
-from .visibility import file_stem
 
 COUNT_NODATA = 65535
-UNKNOWN = 255
 STRIP_ROWS = 256
 
 
@@ -25,37 +21,22 @@ class ViewshedOutputs:
     Parameters
     ----------
     dem : core.io.raster.Dem
-    folder : str
-        For one GeoTIFF per photo; empty where not wanted. Each is whole before the next begins.
-    smallest_m2 : float
-        Polygon parts below this are dropped [m2].
     """
 
-    def __init__(self, dem, folder=""):
+    def __init__(self, dem):
         from ..core.viewshed_count import SeenCount
 
-        self.dem, self.folder = dem, folder
-        self.count, self.rows, self._names = SeenCount(dem.shape), [], set()
+        self.dem, self.count, self.rows = dem, SeenCount(dem.shape), []
 
     def add(self, sight, viewshed):
         """Take one photo's viewshed in; gives its facts in words, for the report."""
         from ..core.io.polygons import viewshed_polygons
-        from ..core.io.write_raster import write_raster
 
         ground = viewshed_polygons(viewshed, self.dem)
         self.count.add(viewshed.window, viewshed.values)
         self.rows.append(polygon_row(sight, ground))
-        if self.folder:
-            Path(self.folder).mkdir(parents=True, exist_ok=True)
-            target = Path(self.folder) / f"{file_stem(sight, self._names)}.tif"
-            facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
-            write_raster(target, viewshed.values, self.dem, viewshed.window, nodata=UNKNOWN, metadata=facts)
-        return {
-            tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²",
-            tr("Farthest ground in view"): tr("none")
-            if ground.farthest_m is None
-            else f"{ground.farthest_m / 1e3:.1f} km",
-        }
+        far = tr("none") if ground.farthest_m is None else f"{ground.farthest_m / 1e3:.1f} km"
+        return {tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²", tr("Farthest ground in view"): far}
 
     def write_count(self, algorithm, parameters, name, context, feedback):
         """Write the raster of counts; gives its path, or None where it is not wanted."""

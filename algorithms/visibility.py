@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ..core.camera import Camera, Pose, focal_of_fov_px
 from ..core.errors import Cancelled, PhotoError
@@ -128,40 +129,91 @@ def _half_tangent(fov_deg):
     return 1 / (2 * focal_of_fov_px(1.0, fov_deg))
 
 
-def see_each(sights, dem, kind, eye_height_m, options, feedback, share=(0.0, 1.0)):
-    """Yield (sight, Viewshed) photo by photo; those without one are warned of."""
-    progress = subtask(FeedbackProgress(feedback), *share)
-    for index, sight in enumerate(sights):
-        announce(feedback, sight.name, index, len(sights))
-        part = subtask(progress, index / len(sights), (index + 1) / len(sights))
+class Viewer:
+    """Computes viewsheds, and keeps each in a file of its own where a folder is given.
+
+    A repeated run takes what an earlier one, perhaps killed, has finished there; a file of other settings or another
+    DEM is computed anew.
+
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    kind : str
+        Of `parameters.SECTORS`.
+    eye_height_m : float
+        Above the DEM, for sights without an elevation of their own [m].
+    options : ViewshedOptions
+    feedback : QgsProcessingFeedback
+    folder : str
+        For one GeoTIFF per photo; empty where not wanted.
+    """
+
+    def __init__(self, dem, kind, eye_height_m, options, feedback, folder=""):
+        self.dem, self.kind, self.eye_height_m, self.options = dem, kind, eye_height_m, options
+        self.feedback, self.folder, self._names = feedback, folder, set()
+
+    def each(self, sights, share=(0.0, 1.0)):
+        """Yield (sight, viewshed) photo by photo; those without one are warned of."""
+        progress = subtask(FeedbackProgress(self.feedback), *share)
+        for index, sight in enumerate(sights):
+            announce(self.feedback, sight.name, index, len(sights))
+            part = subtask(progress, index / len(sights), (index + 1) / len(sights))
+            try:
+                found = self.view(sight, part)
+            except Cancelled:
+                text = tr("Cancelled after {done} of {count} viewsheds.")
+                self.feedback.pushWarning(text.format(done=index, count=len(sights)))
+                raise
+            if found is not None:
+                yield sight, found
+        checkpoint(progress, 1.0)
+
+    def view(self, sight, progress):
+        """Give one viewshed, or warn and give None."""
+        from ..core.terrain import Observer
+
+        sector = sector_of(sight, self.kind, self.feedback)
+        if sector is None:
+            return None
+        if sight.longitude_deg is None:
+            warn(self.feedback, sight.name, tr("The point has no usable position."))
+            return None
+        observer = Observer(sight.longitude_deg, sight.latitude_deg, self.eye_height_m, sight.eye_elevation_m)
         try:
-            viewshed = see(sight, dem, kind, eye_height_m, options, feedback, part)
-        except Cancelled:
-            text = tr("Cancelled after {done} of {count} viewsheds.")
-            feedback.pushWarning(text.format(done=index, count=len(sights)))
-            raise
-        if viewshed is not None:
-            yield sight, viewshed
-    checkpoint(progress, 1.0)
+            return self._compute_or_take(sight, observer, sector, progress)
+        except PhotoError as error:
+            warn(self.feedback, sight.name, str(error))
+            return None
+
+    def _compute_or_take(self, sight, observer, sector, progress):
+        from ..core.io.viewshed_raster import fingerprint, viewshed_once
+        from ..core.viewshed import FRAME_MARGIN, viewshed
+
+        def compute():
+            return viewshed(self.dem, observer, sector, self.options, progress)
+
+        if not self.folder:
+            return compute()
+        Path(self.folder).mkdir(parents=True, exist_ok=True)
+        path = Path(self.folder) / f"{file_stem(sight, self._names)}.tif"
+        mark = fingerprint(self.dem, observer, sector, self.options)
+        facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
+        found, computed = viewshed_once(str(path), self.dem, mark, compute, facts)
+        if computed:
+            return found
+        self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+        radius_m = FRAME_MARGIN * self.options.max_distance_m
+        frame = self.dem.frame(sight.longitude_deg, sight.latitude_deg, radius_m)
+        return KeptViewshed(found.window, found.values, frame)
 
 
-def see(sight, dem, kind, eye_height_m, options, feedback, progress):
-    """Compute one `Viewshed`, or warn and give None."""
-    from ..core.terrain import Observer
-    from ..core.viewshed import viewshed
+@dataclass(frozen=True, eq=False)
+class KeptViewshed:
+    """An earlier run's viewshed: window and values as in `core.viewshed.Viewshed`, and the observer's frame."""
 
-    sector = sector_of(sight, kind, feedback)
-    if sector is None:
-        return None
-    if sight.longitude_deg is None:
-        warn(feedback, sight.name, tr("The point has no usable position."))
-        return None
-    observer = Observer(sight.longitude_deg, sight.latitude_deg, eye_height_m, sight.eye_elevation_m)
-    try:
-        return viewshed(dem, observer, sector, options, progress)
-    except PhotoError as error:
-        warn(feedback, sight.name, str(error))
-        return None
+    window: Any
+    values: Any
+    frame: Any
 
 
 def file_stem(sight, taken):

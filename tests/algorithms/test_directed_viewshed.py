@@ -171,3 +171,20 @@ def test_cancelling_leaves_nothing(run, scene, listener, tmp_path):
         with pytest.raises(QgsProcessingException, match="Cancelled"):
             run("directedviewshed", parameters, listener(cancel_at=percent))
         assert list(tmp_path.iterdir()) == []
+
+
+def test_a_repeated_run_takes_what_an_earlier_one_has_finished(call, scene, tmp_path):
+    rasters = tmp_path / "each"
+    layer = oriented_layer(scene)
+    first, _ = call(layer, MAX_DISTANCE=6000, RASTERS=str(rasters))
+    (rasters / "west.tif").unlink()  # as if the run had been killed before the second photo
+    stamp = (rasters / "north.tif").stat().st_mtime_ns
+    second, feedback = call(layer, MAX_DISTANCE=6000, RASTERS=str(rasters))
+    assert any("north.jpg: taken from" in info for info in feedback.infos)
+    assert not any("west.jpg: taken from" in info for info in feedback.infos)
+    assert (rasters / "north.tif").stat().st_mtime_ns == stamp and (rasters / "west.tif").exists()
+    np.testing.assert_array_equal(cells(first["OUTPUT"])[0], cells(second["OUTPUT"])[0])
+    areas = [[f["area_m2"] for f in results["POLYGONS"].getFeatures()] for results in (first, second)]
+    assert areas[0] == pytest.approx(areas[1])
+    _, feedback = call(layer, MAX_DISTANCE=5000, RASTERS=str(rasters))
+    assert not any("taken from" in info for info in feedback.infos)

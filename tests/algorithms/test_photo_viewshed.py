@@ -115,6 +115,14 @@ def test_the_paper_s_method_gives_viewsheds_too(run, scene, tmp_path):
     assert all(0 < f["ncc"] <= 1 for f in results["OUTPUT"].getFeatures())
 
 
+def test_progress_only_grows(run, scene, listener, tmp_path):
+    feedback = listener()
+    parameters = {"FOLDER": str(scene.folder), "DEM": str(scene.dem), "METHOD": 1, "MAX_DISTANCE": 3000}
+    outputs = {"OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": str(tmp_path / "v.tif")}
+    run("photoviewshed", {**parameters, **outputs}, feedback)
+    assert len(feedback.fractions) > 10 and feedback.fractions == sorted(feedback.fractions)
+
+
 def test_cancelling_leaves_nothing(run, scene, listener, tmp_path):
     parameters = {
         "FOLDER": str(scene.folder),
