@@ -2732,6 +2732,11 @@
         <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
     </message>
     <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: übernommen aus {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>Welche Fotos zeigen diese Orte?</translation>

@@ -2732,6 +2732,11 @@
         <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
     </message>
     <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: tomado de {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>¿Qué fotos muestran estos lugares?</translation>

@@ -2732,6 +2732,11 @@
         <translation>Annulé après {done} bassins visuels sur {count}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/visibility.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name} : repris de {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>Quelles photos montrent ces lieux ?</translation>
