@@ -72,10 +72,10 @@ def table_of(head, rows):
 
 
 def real_table(reports):
-    """Counts per folder and use of the compass, beside the published method and the compass alone."""
+    """Counts of the good photographs per folder and use of the compass, beside the published method and the compass."""
     rows = []
     for name, report in reports.items():
-        known = [photo for photo in report["photos"] if photo["truth_deg"] is not None]
+        known = [p for p in report["photos"] if p["truth_deg"] is not None and p["group"] == "good"]
         folder, _, compass = name.rpartition("-")
         label = "robust, blind" if compass == "ignore" else "robust, compass as a hint"
         rows.append([folder, label, *counts(known, "error_deg"), *verdicts(known)])
@@ -84,7 +84,7 @@ def real_table(reports):
             recorded = [photo for photo in known if photo["compass_error_deg"] is not None]
             if recorded:
                 rows.append([folder, "compass alone", *counts(recorded, "compass_error_deg"), "", "", ""])
-    head = ["photographs", "method", "known", *(f"{limit}°" for limit in LIMITS), "median", "accepted"]
+    head = ["photographs", "method", "good", *(f"{limit}°" for limit in LIMITS), "median", "accepted"]
     return table_of([*head, "of these wrong by 3° or more", "90 % interval holds the truth"], rows)
 
 
@@ -139,7 +139,7 @@ def simulated_tables(report):
     summary = report["summary"]
     rows = []
     for name, row in [*summary["levels"].items(), *summary["full_by"].items(), ("all pictures", summary["images"])]:
-        if not row["photos"]:
+        if not row["photos"] or Path(name).suffix:  # by DEM is for the developer's eye
             continue
         shares = [f"{100 * row[f'within_{limit}']:.0f} %" for limit in ("0.2", "0.5", "1", "3")]
         cover = "–" if row["coverage_90"] is None else f"{100 * row['coverage_90']:.0f} %"
@@ -159,13 +159,18 @@ def skyline_table(report):
     names = (
         ("median_of_medians_px", "median of the images' medians", "{:.1f} px"),
         ("mean_of_medians_px", "mean of the images' medians", "{:.1f} px"),
-        ("images_below_1_percent", "images with a median below 1 % of the height", "{:.0%}"),
-        ("columns_below_1_percent", "columns below 1 %", "{:.0%}"),
-        ("columns_below_3_percent", "columns below 3 %", "{:.0%}"),
+        ("images_below_1_percent", "images with a median below 1 % of the height", "{:.0f} %"),
+        ("columns_below_1_percent", "columns below 1 %", "{:.0f} %"),
+        ("columns_below_3_percent", "columns below 3 %", "{:.0f} %"),
         ("mean_seconds", "CPU time per image", "{:.2f} s"),
     )
     both = report["summary"]
-    rows = [[label, form.format(both["robust"][key]), form.format(both["paper"][key])] for key, label, form in names]
+    rows = []
+    for key, label, form in names:
+        factor = 100 if "%" in form else 1
+        rows.append([label, *(form.format(factor * both[method][key]) for method in ("robust", "paper"))])
+    unseen = sum(image["cross_validated"] for image in report["images"])
+    rows.append(["images scored by weights that never saw them", f"{unseen} of {len(report['images'])}", "no weights"])
     return table_of(["", "robust", "paper"], rows)
 
 
