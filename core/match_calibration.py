@@ -1,18 +1,49 @@
-"""Calibration of p_correct: a logistic regression on what a fit knows about itself.
+"""The calibration table: how what a fit knows about itself turns into a probability.
 
-Fitted by `tools/fit_calibration.py`; the origin of the present figures is stated there and in docs/accuracy.md.
+`match_calibration.json` holds a logistic regression on the quantities of `features`, the temperature that makes
+scores into likelihoods, and the factor by which the headings' standard deviations are widened. It is fitted on
+simulated photographs by `tools/fit_calibration.py`, which also states how well it does on others.
 """
 
 from __future__ import annotations
 
+import json
+from functools import lru_cache
+from pathlib import Path
+
 import numpy as np
 
-FEATURES = ("relative gap to the second answer", "score", "share of columns explained", "log relief in the frame")
+TABLE_PATH = Path(__file__).with_name("match_calibration.json")
+LARGEST_STANDARD = 3.0
+"""Features are cut at this many standard deviations: beyond what the table has seen nothing becomes surer."""
 
-CALIBRATION = {
-    "mean": np.array([0.0855, 3.64, 0.7, 0.0]),
-    "spread": np.array([0.0952, 0.867, 0.15, 0.7]),
-    "weight": np.array([2.02, 0.47, 0.0, 0.0]),
-    "bias": 0.636,
-    "sharpness": 30.0,
-}
+
+def features(finding):
+    """What tells right answers from wrong ones, by name."""
+    top = max(float(finding.score[0]), 1e-3)
+    return {
+        "relative_gap": min(max(finding.gap, 0.0) / top, 0.5),
+        "score": top,
+        "explained": finding.explained,
+        "log_relief": float(np.log(max(finding.relief_deg, 0.02))),
+        "log_misfit": float(np.log(max(finding.residual_px, 0.2) / max(finding.terrain_px, 0.2))),
+        "sureness": finding.sureness,
+        "log_hfov": float(np.log(finding.hfov_deg)),
+    }
+
+
+@lru_cache(maxsize=1)
+def table():
+    """The shipped table as plain values."""
+    return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
+
+
+def p_correct(finding, calibration=None):
+    """Probability that the best answer is within 3 degrees of the truth."""
+    calibration = calibration or table()
+    values = features(finding)
+    total = calibration["bias"]
+    for name, entry in calibration["features"].items():
+        standard = (values[name] - entry["mean"]) / entry["spread"]
+        total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
+    return float(1 / (1 + np.exp(-total)))

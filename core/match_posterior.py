@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .angles import difference, wrap_360
-from .match_calibration import CALIBRATION
+from .match_calibration import table
 
 
 @dataclass(frozen=True)
@@ -25,26 +25,13 @@ class PosteriorOptions:
     """
 
     accept_at: float = 0.9
-    reject_below: float = 0.15
+    reject_below: float = 0.1
     min_relief_deg: float = 0.1
-
-
-def features(finding):
-    """The quantities that the calibration table weighs, in its order."""
-    top = max(float(finding.score[0]), 1e-3)
-    return np.array([min(finding.gap / top, 0.5), top, finding.explained, np.log(max(finding.relief_deg, 0.02))])
-
-
-def p_correct(finding):
-    """Probability that the best answer is within 3 degrees of the truth, by the calibration table."""
-    table = CALIBRATION
-    standard = np.clip((features(finding) - table["mean"]) / table["spread"], -3, 3)
-    return float(1 / (1 + np.exp(-(table["bias"] + standard @ table["weight"]))))
 
 
 def answer_probabilities(finding, best_probability):
     """Share `1 - best_probability` among the other answers by their scores; the rest is 'none of them'."""
-    likelihood = np.exp(CALIBRATION["sharpness"] * (finding.score - finding.score[0]))
+    likelihood = np.exp(table()["temperature"] * (finding.score - finding.score[0]))
     others = likelihood[1:].sum()
     share = (1 - best_probability) * likelihood[1:] / (others + 1.0) if others > 0 else np.zeros(0)
     return np.concatenate([[best_probability], share])
@@ -60,10 +47,12 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
     lo_deg, hi_deg : float
         Clockwise from lo to hi [degrees].
     """
+    factor = table()["sigma_factor"]
     heading = np.arange(0, 360, step_deg)
     density = np.full(len(heading), max(1 - probability.sum(), 0.0) / len(heading))
     for centre, sigma, share in zip(finding.heading_deg, finding.sigma_deg, probability):
-        kernel = np.exp(-0.5 * np.square(difference(heading, centre) / max(sigma, step_deg)))
+        spread = max(sigma * factor, step_deg)
+        kernel = np.exp(-0.5 * np.square(difference(heading, centre) / spread))
         density += share * kernel / kernel.sum()
     total = np.concatenate([[0.0], np.cumsum(np.concatenate([density, density]))])
     start = np.arange(len(heading))
@@ -84,7 +73,10 @@ def verdict(finding, probability, options=PosteriorOptions()):
             "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
         )
     if best >= options.accept_at:
-        return "accepted", f"The horizon fits along {100 * finding.explained:.0f} % of the columns and nowhere else."
+        return (
+            "accepted",
+            f"The horizon fits along {100 * finding.explained:.0f} % of the columns, and no other heading comes near.",
+        )
     if best < options.reject_below:
         return "rejected", (
             "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, "

@@ -80,28 +80,37 @@ class RidgeEvidence:
         horizon_row_px : (K, w) array
             Rows of the horizon in every column of the picture, NaN where it is out of sight.
         """
-        return np.array([self._score_one(camera, trial[None], rows) for trial, rows in zip(trials, horizon_row_px)])
+        total = np.zeros(len(trials))
+        for index, (trial, rows) in enumerate(zip(trials, horizon_row_px)):
+            x, y, tolerance, importance = self._below(camera, trial[None], rows)
+            if len(x):
+                total[index] = self._rank_score(x, y, tolerance, importance)
+        return total
 
-    def _score_one(self, camera, trial, horizon_row_px):
+    def _below(self, camera, trial, horizon_row_px):
+        """Crests in the frame and below the horizon: x, y, tolerance [pixels], importance."""
         height, width = self.shape
         focal = camera.focal_px * np.exp(trial[0, 3])
         half = np.degrees(np.arctan(np.hypot(width, height) / 2 / focal)) + 2
         near = self._within(trial[0, 0], half)
         x, y = project_trials(camera, trial, self._azimuth[near], self._elevation[near])
         x, y = x[0], y[0]
-        tolerance = np.hypot(1.0, self._error[near] * focal)
-        largest = self.options.windows_px[-1] / 2
         with np.errstate(invalid="ignore"):
-            inside = (x >= 0) & (x <= width - 1) & (y >= 0) & (y <= height - 1) & (tolerance <= largest)
-        column, row = np.rint(x[inside]).astype(int), np.rint(y[inside]).astype(int)
-        below = row > np.nan_to_num(horizon_row_px[column], nan=-np.inf) + self.options.clearance_px
-        column, row = column[below], row[below]
-        if len(row) == 0:
+            inside = (x >= 0) & (x <= width - 1) & (y >= 0) & (y <= height - 1)
+        x, y, near = x[inside], y[inside], near[inside]
+        horizon = np.nan_to_num(horizon_row_px[np.rint(x).astype(int)], nan=-np.inf)
+        below = y > horizon + self.options.clearance_px
+        tolerance = np.hypot(1.0, self._error[near[below]] * focal)
+        return x[below], y[below], tolerance, self._importance[near[below]]
+
+    def _rank_score(self, x, y, tolerance, importance):
+        sharp = tolerance <= self.options.windows_px[-1] / 2
+        if not sharp.any():
             return 0.0
-        limits = np.array(self.options.windows_px[:-1]) / 2
-        tier = np.searchsorted(limits, tolerance[inside][below])
-        rank = np.average(self._ranks[tier, row, column], weights=self._importance[near][inside][below])
-        share = min(1.0, len(row) / self.options.enough_points)
+        tier = np.searchsorted(np.array(self.options.windows_px[:-1]) / 2, tolerance[sharp])
+        ranks = self._ranks[tier, np.rint(y[sharp]).astype(int), np.rint(x[sharp]).astype(int)]
+        share = min(1.0, len(ranks) / self.options.enough_points)
+        rank = np.average(ranks, weights=importance[sharp])
         return float(self.options.weight * share * (rank - self.options.neutral_rank))
 
     def _within(self, heading_deg, half_deg):

@@ -11,12 +11,13 @@ import numpy as np
 
 from .angles import wrap_360
 from .camera import Pose
+from .match_calibration import p_correct
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .match_finding import Finding, examine
 from .match_geometry import HorizonCurve
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
 from .match_paper import correlation
-from .match_posterior import PosteriorOptions, answer_probabilities, interval, p_correct, verdict
+from .match_posterior import PosteriorOptions, answer_probabilities, interval, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
 from .match_ridges import RidgeEvidence, RidgeMatchOptions
