@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
 import sys
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,20 +27,29 @@ class Run:
     memory_mb: float
 
 
+LAUNCHER = """
+import json, os, sys, time
+start = time.perf_counter()
+pid = os.posix_spawnp(sys.argv[1], sys.argv[1:], os.environ)
+_, status, usage = os.wait4(pid, 0)
+wall = time.perf_counter() - start
+print(json.dumps([os.waitstatus_to_exitcode(status), wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024]))
+"""
+"""A small process between us and the one to be measured: a child counts its parent's memory as its own until it has
+started, and ours may be large."""
+
+
 def timed(command, **options):
     """Run a command to its end and measure it; raises `PeerMissingError` with its last words where it fails."""
-    start = time.perf_counter()
-    process = subprocess.Popen(
-        [str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, **options
-    )
-    words = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    wall = time.perf_counter() - start
-    process.returncode = os.waitstatus_to_exitcode(status)
-    process.stderr.close()
-    if process.returncode != 0:
-        raise PeerMissingError(f"{command[0]} failed with {process.returncode}: {words.strip()[-200:]}")
-    return Run(wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+    words = [sys.executable, "-S", "-c", LAUNCHER, *(str(word) for word in command)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, **options)
+    last = done.stdout.strip().splitlines()[-1:]
+    if not last or not last[0].startswith("["):
+        raise PeerMissingError(f"{command[0]} could not be started: {done.stderr.strip()[-200:]}")
+    code, wall, cpu, memory = json.loads(last[0])
+    if code != 0:
+        raise PeerMissingError(f"{command[0]} failed with {code}: {done.stderr.strip()[-200:]}")
+    return Run(wall, cpu, memory)
 
 
 def engine(*arguments):
