@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import resource
 import shutil
 import signal
 import subprocess
 
+import numpy as np
 import pytest
 
 pytestmark = pytest.mark.qgis
 
 LIMIT_BYTES = 60_000
 """Largest file of the run on a nearly full disk: enough for QGIS's own settings, too little for a report."""
+MANY = 10_000
 HOSTILE = 'it\'s <img src=x onerror=alert(1)> & "100 %" 🏔 Säntis.jpg'
 
 
@@ -180,6 +183,22 @@ def test_odd_paths_and_a_vrt_work(odd_run, scene):
 def test_a_hostile_file_name_stays_text_in_the_report(odd_run):
     report = odd_run[0]["REPORT"].read_text(encoding="utf-8")
     assert "<img src=x" not in report and "&lt;img src=x onerror=alert(1)&gt;" in report
+
+
+def test_a_folder_of_ten_thousand_photographs_is_read(qgis_process, tmp_path):
+    from skyline_viewshed.core.io.write_photo import write_photo
+    from skyline_viewshed.core.model import PhotoMetadata
+
+    folder, output = tmp_path / "many", tmp_path / "photos.gpkg"
+    folder.mkdir()
+    first = folder / "00000.jpg"
+    metadata = PhotoMetadata(str(first), 64, 48, latitude_deg=46.5, longitude_deg=8.0, focal_length_35mm=28.0)
+    write_photo(str(first), np.zeros((48, 64, 3), np.uint8), metadata)
+    for number in range(1, MANY):
+        os.link(first, folder / f"{number:05d}.jpg")
+    done = qgis_process("run", "skylineviewshed:importphotos", "--", f"FOLDER={folder}", f"OUTPUT={output}")
+    assert done.returncode == 0, done.stderr
+    assert len(rows_of(output)) == MANY
 
 
 def test_the_same_dem_as_cog_and_in_other_coordinate_systems_gives_the_same_heading(scene, tmp_path):
