@@ -9,6 +9,8 @@ from typing import Any
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsFields, QgsWkbTypes
 
 from ..core.errors import PhotoError
+from ..core.progress import checkpoint
+from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, photo_specs, qgis_fields
 from .i18n import tr
 from .layers import PointRow, points_fault, read_points
@@ -60,12 +62,21 @@ def photo_rows(algorithm, parameters, context, feedback):
     if folder:
         paths = photos_in(folder, algorithm.parameterAsBoolean(parameters, "RECURSIVE", context))
         source_fields = qgis_fields(photo_specs())
-        rows = [file_row(path, index, source_fields) for index, path in enumerate(paths)]
+        rows = read_files(paths, source_fields, feedback)
         fields, kept = joined_fields(source_fields, oriented_specs())
         return PhotoRows(rows, fields, kept, QgsWkbTypes.Type.PointZ, QgsCoordinateReferenceSystem("EPSG:4326"))
     source, rows = read_points(algorithm, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
     fields, kept = joined_fields(source.fields(), oriented_specs())
     return PhotoRows(rows, fields, kept, source.wkbType(), source.sourceCrs())
+
+
+def read_files(paths, fields, feedback):
+    """Rows of all files; thousands of them take a while, so that cancelling must work here too."""
+    progress, rows = FeedbackProgress(feedback), []
+    for index, path in enumerate(paths):
+        checkpoint(progress, 0.0)
+        rows.append(file_row(path, index, fields))
+    return rows
 
 
 def file_row(path, index, fields):
