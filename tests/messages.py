@@ -27,6 +27,15 @@ def sentences():
     return list(dict.fromkeys((where, text) for where, text in found if " " in text and not text.startswith("… (")))
 
 
+def all_texts():
+    """Every text of the program, variable parts as an ellipsis, in one string with single spaces."""
+    texts = []
+    for path in [*(ROOT / "core").rglob("*.py"), *(ROOT / "algorithms").glob("*.py")]:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        texts += [text for text in map(template, ast.walk(tree)) if text]
+    return re.sub(r"\s+", " ", "\n".join(texts))
+
+
 def _of_raise(node):
     if not (isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call)):
         return []

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from examples import run_block
 from fenced import fenced_blocks
-from messages import sentences
+from messages import all_texts, sentences
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
@@ -51,6 +51,17 @@ def test_every_message_stands_on_the_page_of_troubles():
         if plain(opening).strip(" ….") not in page:
             missing.append(f"{where}: {sentence}")
     assert not missing, "docs/troubleshooting.md does not know:\n" + "\n".join(missing)
+
+
+def test_no_message_on_that_page_is_out_of_date():
+    texts, rows = all_texts(), []
+    for table in re.split(r"\n\n", (DOCS / "troubleshooting.md").read_text(encoding="utf-8")):
+        if table.startswith(("| message", "| reason")):
+            rows += [line.split("|")[1].strip() for line in table.splitlines()[2:]]
+    assert len(rows) > 80
+    for message in rows:
+        longest = max(message.split("…"), key=len).strip()
+        assert re.sub(r"\s+", " ", longest) in texts, message
 
 
 def test_every_class_of_error_and_every_status_is_explained():
