@@ -1,0 +1,174 @@
+import csv
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.angles import difference
+from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, orient_request
+from skyline_viewshed.core.camera import project
+from skyline_viewshed.core.errors import TerrainError, UnusableDemError
+from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.pipeline import OrientOptions
+
+
+@pytest.fixture(scope="module")
+def dem(scene):
+    return open_dem(str(scene.dem))
+
+
+@pytest.fixture(scope="module")
+def north(scene, dem):
+    return orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem)
+
+
+def turn(oriented, pose):
+    return abs(float(difference(oriented.orientation.best.pose.heading_deg, pose.heading_deg)))
+
+
+def test_a_photo_on_disk_is_oriented_from_its_own_metadata(scene, north):
+    truth = scene.truth["north"]
+    assert turn(north, truth) < 0.5
+    assert abs(north.orientation.best.pose.pitch_deg - truth.pitch_deg) < 0.3
+    assert (north.longitude_deg, north.latitude_deg) == pytest.approx(scene.positions["north"], abs=1e-6)
+    assert north.eye_elevation_m == pytest.approx(north.ground_elevation_m + 1.7)
+    assert north.convergence_deg is not None
+
+
+def test_the_compass_is_reported_and_in_blind_runs_not_looked_at(scene, dem, north):
+    assert north.compass_true_deg == pytest.approx(26.0, abs=0.01)
+    hinted = orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem, OrientOptions(compass="prior"))
+    assert turn(hinted, scene.truth["north"]) < 0.5
+    assert hinted.orientation.best.score > north.orientation.best.score
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("no_gps.jpg", "GPS position"),
+        ("null_island.jpg", "GPS position"),
+        ("no_focal.jpg", "HFOV_FIELD"),
+        ("empty.heic", "cannot be read"),
+        ("damaged.jpg", "cannot be read"),
+        ("missing.jpg", "cannot be read"),
+    ],
+)
+def test_a_photo_at_fault_fails_with_a_sentence_and_does_not_raise(scene, dem, name, words):
+    found = orient_request(PhotoRequest(str(scene.odd / name)), dem)
+    assert found.orientation.status == "failed"
+    assert words in found.orientation.message
+    assert found.orientation.best is None
+
+
+def test_given_facts_stand_in_for_missing_ones(scene, dem):
+    longitude, latitude = scene.positions["west"]
+    lost = PhotoRequest(str(scene.odd / "no_gps.jpg"), longitude, latitude)
+    assert turn(orient_request(lost, dem), scene.truth["west"]) < 0.5
+    blind = PhotoRequest(str(scene.odd / "no_focal.jpg"), hfov_deg=scene.hfov_deg)
+    assert turn(orient_request(blind, dem), scene.truth["west"]) < 0.5
+
+
+def test_the_caller_decides_whose_position_counts(scene, dem):
+    path, (longitude, latitude) = str(scene.folder / "north.jpg"), scene.positions["west"]
+    assert orient_request(PhotoRequest(path, longitude, latitude), dem).longitude_deg == longitude
+    own = orient_request(PhotoRequest(path, longitude, latitude, prefer_photo_position=True), dem)
+    assert own.longitude_deg == pytest.approx(scene.positions["north"][0], abs=1e-6)
+
+
+def test_a_position_outside_the_dem_fails_with_a_sentence(scene, dem):
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), 20.0, 10.0), dem)
+    assert found.orientation.status == "failed"
+    assert "outside the DEM" in found.orientation.message
+
+
+def test_an_unusable_dem_stops_the_batch(scene, dem):
+    class Broken:
+        shape = dem.shape
+
+        def frame(self, *_):
+            raise UnusableDemError("broken")
+
+    with pytest.raises(TerrainError):
+        orient_request(PhotoRequest(str(scene.folder / "north.jpg")), Broken())
+
+
+def test_photos_of_one_station_share_the_horizon(scene, dem):
+    cache = HorizonCache()
+    request = PhotoRequest(str(scene.folder / "north.jpg"))
+    first, second = orient_request(request, dem, cache=cache), orient_request(request, dem, cache=cache)
+    assert first.horizon is second.horizon
+    moved = orient_request(replace(request, eye_height_m=5.0), dem, cache=cache)
+    assert moved.horizon is not first.horizon
+
+
+def test_the_cache_is_bounded(dem, scene):
+    from skyline_viewshed.core.horizon import HorizonOptions
+    from skyline_viewshed.core.terrain import Observer
+
+    cache = HorizonCache(size=2)
+    options = HorizonOptions(azimuth_step_deg=30.0, max_distance_m=2000.0)
+    longitude, latitude = scene.positions["north"]
+    profiles = [cache.profile(dem, Observer(longitude, latitude, h), options) for h in range(2, 9)]
+    assert cache.profile(dem, Observer(longitude, latitude, 8), options) is profiles[-1]
+    assert cache.profile(dem, Observer(longitude, latitude, 2), options) is not profiles[0]
+
+
+def test_an_eye_elevation_is_used_and_a_contradicting_altitude_noted(scene, dem, north):
+    high = north.ground_elevation_m + 100.0
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), eye_elevation_m=high), dem)
+    assert found.eye_elevation_m == pytest.approx(high)
+
+
+def test_an_approximate_heading_and_a_landmark_are_used(scene, dem, north):
+    camera, pose = north.orientation.best.camera, scene.truth["north"]
+    index = int(np.rint(pose.heading_deg * 10))
+    azimuth, distance = north.horizon.azimuth_deg[index], north.horizon.distance_m[index]
+    elevation = north.horizon.elevation_deg[index]
+    x, y = project(camera, pose, azimuth, elevation)
+    metres = 111_195.0
+    longitude = north.longitude_deg + distance * np.sin(np.radians(azimuth)) / (
+        metres * np.cos(np.radians(north.latitude_deg))
+    )
+    latitude = north.latitude_deg + distance * np.cos(np.radians(azimuth)) / metres
+    mark = LandmarkHint(float(x), float(y), float(longitude), float(latitude), sigma_px=20.0)
+    request = PhotoRequest(str(scene.folder / "north.jpg"), heading_deg=25.0, landmarks=(mark,))
+    found = orient_request(request, dem)
+    assert turn(found, pose) < 0.5
+    assert any("Landmark 1" in note for note in found.orientation.notes)
+
+
+def test_a_drawn_skyline_replaces_the_extraction(scene, dem, north):
+    rows = north.evidence.best.row_px * 800 / north.evidence.best.width_px
+    columns = (np.arange(len(rows)) + 0.5) * 800 / len(rows) - 0.5
+    drawn = tuple(zip(columns.tolist(), rows.tolist()))
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), drawn_skyline=drawn), dem)
+    assert turn(found, scene.truth["north"]) < 0.5
+
+
+def test_the_paper_s_method_goes_through_the_same_entry(scene, dem):
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem, OrientOptions(method="paper"))
+    assert found.orientation.p_correct is None
+    assert found.horizon.reach_m.max() <= 15_000
+    assert len(found.orientation.curve_score) == 720
+
+
+@pytest.mark.data
+def test_clear_real_photographs_are_found_blind_and_no_accepted_one_is_wrong(shared_data):
+    folder = shared_data / "khumbu"
+    dem = open_dem(str(folder / "dem" / "khumbu.tif"))
+    with open(folder / "truth.csv", newline="") as file:
+        good = [row for row in csv.DictReader(file) if row["group"] == "good"]
+    errors = []
+    for row in good[::2]:
+        found = orient_request(PhotoRequest(str(folder / "photos" / row["photo"])), dem)
+        errors.append(abs(float(difference(found.orientation.best.pose.heading_deg, float(row["heading_deg"])))))
+        assert found.orientation.status != "accepted" or errors[-1] < 3
+    assert max(errors) < 1.0
+
+
+@pytest.mark.data
+def test_a_photo_outside_its_dem_is_told_so(shared_data):
+    folder = shared_data / "khumbu"
+    dem = open_dem(str(folder / "dem" / "khumbu.tif"))
+    found = orient_request(PhotoRequest(str(folder / "photos" / "IMG_1512.HEIC")), dem)
+    assert found.orientation.status == "failed"
+    assert "outside the DEM" in found.orientation.message
