@@ -1,0 +1,84 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.errors import MissingMetadataError, ObserverOutsideDemError
+from skyline_viewshed.core.horizon import HorizonOptions
+from skyline_viewshed.core.io.photo import read_photo
+from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.model import Photo, PhotoMetadata
+from skyline_viewshed.core.pipeline import OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.terrain import Observer
+
+METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
+
+
+def test_a_given_field_of_view_comes_before_the_file_s_focal_length():
+    assert camera_prior(METADATA, hfov_deg=60.0).camera.hfov_deg == pytest.approx(60.0)
+    assert camera_prior(METADATA).camera.focal_px == pytest.approx(5000 * 35 / np.hypot(36, 24))
+
+
+def test_no_focal_length_and_no_field_of_view_is_said_with_the_remedy():
+    with pytest.raises(MissingMetadataError, match="HFOV_FIELD"):
+        camera_prior(replace(METADATA, focal_length_35mm=None))
+
+
+def test_unknown_methods_are_refused():
+    with pytest.raises(ValueError, match="method"):
+        OrientOptions(method="magic")
+
+
+def test_the_paper_s_method_looks_fifteen_kilometres_far_over_a_flat_earth():
+    chosen = OrientOptions(method="paper", horizon=HorizonOptions(max_distance_m=80_000)).horizon_of_method
+    assert chosen.max_distance_m == 15_000
+    assert not chosen.curvature
+
+
+@pytest.fixture(scope="module")
+def taken(scene):
+    photo = read_photo(str(scene.folder / "west.jpg"))
+    return photo, open_dem(str(scene.dem)), Observer(*scene.positions["west"])
+
+
+def test_everything_that_a_report_needs_comes_with_the_answer(scene, taken):
+    photo, dem, observer = taken
+    found = orient_photo(photo, dem, observer, camera_prior(photo.metadata))
+    truth = scene.truth["west"]
+    assert abs((found.orientation.best.pose.heading_deg - truth.heading_deg + 180) % 360 - 180) < 0.5
+    assert found.evidence.probability.shape == (found.skyline.height_px, found.skyline.width_px)
+    assert len(found.orientation.residual_px) == found.skyline.width_px
+    assert found.camera.width_px == photo.metadata.width_px
+    assert found.horizon.eye_elevation_m == found.eye_elevation_m
+
+
+def test_a_picture_of_one_colour_is_rejected_not_failed(taken):
+    photo, dem, observer = taken
+    blank = Photo(photo.metadata, np.full_like(photo.pixels, 130))
+    found = orient_photo(blank, dem, observer, camera_prior(photo.metadata))
+    assert found.orientation.status == "rejected"
+    assert found.orientation.best is None
+    assert "sky mask" in found.orientation.message
+
+
+def test_an_observer_outside_the_dem_is_the_photo_s_fault(taken):
+    photo, dem, _ = taken
+    with pytest.raises(ObserverOutsideDemError):
+        orient_photo(photo, dem, Observer(0.0, 0.0), camera_prior(photo.metadata))
+
+
+def test_progress_never_runs_backwards(taken):
+    class Recorder:
+        def __init__(self):
+            self.fractions = []
+
+        def report(self, fraction):
+            self.fractions.append(fraction)
+
+        def cancelled(self):
+            return False
+
+    photo, dem, observer = taken
+    recorder = Recorder()
+    orient_photo(photo, dem, observer, camera_prior(photo.metadata), progress=recorder)
+    assert (np.diff(recorder.fractions) >= 0).all()
+    assert 0 <= recorder.fractions[0] <= recorder.fractions[-1] <= 1
