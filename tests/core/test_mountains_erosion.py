@@ -10,7 +10,7 @@ def test_drainage_of_a_plane_runs_straight_down_and_leaves_a_pit_by_its_lowest_r
     assert receiver[3 * 7 + 3] in (2 * 7 + 3, 2 * 7 + 2)
     assert (receiver[:7] == 42).all() and receiver[42] == 42
     pit = np.full((5, 5), 9.0)
-    pit[2, 2], pit[2, 3] = 1.0, 4.0
+    pit[2, 2:] = 1.0, 4.0, 8.0
     receiver, length = drainage(pit)
     assert receiver[2 * 5 + 2] == 2 * 5 + 3
     assert length[2 * 5 + 2] == 1.0
