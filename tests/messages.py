@@ -31,6 +31,8 @@ def all_texts():
     """Every text of the program, variable parts as an ellipsis, in one string with single spaces."""
     texts = []
     for path in [*(ROOT / "core").rglob("*.py"), *(ROOT / "algorithms").glob("*.py")]:
+        if path.name == "core_sentences.py":  # copies of the core's sentences, for translators
+            continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
         texts += [text for text in map(template, ast.walk(tree)) if text]
     return re.sub(r"\s+", " ", "\n".join(texts))
