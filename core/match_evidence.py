@@ -69,7 +69,7 @@ class EvidenceStack:
     shape : tuple
         (h, w) of the reduced picture.
     informative : (M,) int array
-        Columns that say anything at all about the skyline.
+        Columns that say anything at all about the skyline; all of them where none does.
     """
 
     def __init__(self, probability, options=EvidenceOptions()):
@@ -77,7 +77,8 @@ class EvidenceStack:
         self.shape = probability.shape
         self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
         self._probability = np.asarray(probability, np.float32)
-        self.informative = self.informative_columns(probability)
+        telling = self.informative_columns(probability)
+        self.informative = telling if len(telling) else np.arange(self.shape[1])
         self._table = self._blurred(self.tolerance_px)
         self._log_step = np.log(self.tolerance_px[1] / self.tolerance_px[0])
 

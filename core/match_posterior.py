@@ -65,10 +65,10 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
     return float(wrap_360(heading[first])), float(wrap_360(heading[first] + length[first] * step_deg))
 
 
-def verdict(finding, probability, options=PosteriorOptions()):
+def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=False):
     """Status and the sentence that says why and what to do."""
     best = probability[0]
-    if finding.relief_deg < options.min_relief_deg:
+    if finding.relief_deg < options.min_relief_deg and not has_landmarks:
         return "rejected", (
             "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
         )

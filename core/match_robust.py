@@ -14,9 +14,9 @@ from .camera import Pose
 from .match_calibration import p_correct
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .match_finding import Finding, examine
-from .match_geometry import HorizonCurve
+from .match_geometry import HorizonCurve, horizon_rows
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
-from .match_paper import correlation
+from .match_paper import correlation, sharpness
 from .match_posterior import PosteriorOptions, answer_probabilities, interval, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
@@ -27,6 +27,13 @@ from .progress import SILENT, subtask
 
 LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
+
+
+LANDMARK_LIMIT = 3.0
+"""Standard deviations within which a landmark counts as met."""
+
+LANDMARK_PROBABILITY = 0.95
+"""Least p_correct of an answer that meets every landmark: a person's word, slips of the hand set aside."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +95,7 @@ def match_robust(
         Candidates are distinct answers, best first; headings clockwise from true north, pitch + upwards, roll +
         with the right side down.
     """
-    refusal = _refusal(evidence, horizon)
+    refusal = _refusal(evidence, horizon, landmarks)
     if refusal:
         return Orientation("rejected", refusal)
     answers = find_answers(
@@ -96,8 +103,10 @@ def match_robust(
     )
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
     best_probability = p_correct(finding)
+    if _landmarks_met(answers):
+        best_probability = max(best_probability, LANDMARK_PROBABILITY)
     probability = answer_probabilities(finding, best_probability)
-    status, message = verdict(finding, probability, options.posterior)
+    status, message = verdict(finding, probability, options.posterior, bool(landmarks))
     lo, hi = interval(finding, probability)
     full = camera_prior.camera
     candidates = tuple(
@@ -117,15 +126,36 @@ def match_robust(
         curve_score=answers.coarse.score.astype(float),
         ncc=ncc,
         ncc_second=second,
+        sharpness=sharpness(answers.coarse.heading_deg, answers.coarse.score, candidates[0].pose.heading_deg),
         residual_px=residual,
-        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose),
+        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose) + _edge_notes(answers),
     )
 
 
-def _refusal(evidence, horizon):
+def _landmarks_met(answers):
+    """Whether there are landmarks and the best answer meets all of them."""
+    miss = answers.objective.landmark_residual(answers.trials[:1])
+    return miss.size > 0 and bool((np.abs(miss) < LANDMARK_LIMIT).all())
+
+
+def _edge_notes(answers):
+    """Remark on a frame whose horizon is only a lower bound."""
+    objective = answers.objective
+    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, answers.trials[:1], objective.columns(4))
+    share = float(objective.curve.clipped[objective.curve.nearest(azimuth)].mean())
+    if share < 0.2:
+        return ()
+    return (
+        f"In {100 * share:.0f} % of the frame the DEM ends or has voids before higher terrain can be excluded; "
+        "a larger DEM would make the heading surer.",
+    )
+
+
+def _refusal(evidence, horizon, landmarks):
     """Why there is nothing to match, or None."""
-    height, width = evidence.probability.shape
-    if len(EvidenceStack.informative_columns(evidence.probability)) < LEAST_COLUMNS_SHARE * width:
+    width = evidence.probability.shape[1]
+    telling = len(EvidenceStack.informative_columns(evidence.probability))
+    if telling < LEAST_COLUMNS_SHARE * width and not landmarks:
         return (
             "Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, "
             "or supply a sky mask or a drawn skyline."

@@ -105,6 +105,25 @@ def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
     assert any("Landmark 1 is met to within" in note for note in found.notes)
 
 
+def test_landmarks_alone_are_enough_where_nothing_else_can_be_seen(match_scenes):
+    scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
+    flat = SkylineEvidence(np.full((192, 256), 1 / 192, np.float32), scene.evidence.best, 1024, 768)
+    marks = []
+    for azimuth, elevation in ((205.0, 1.0), (236.0, 8.0), (222.0, 12.0)):
+        x, y = project(scene.camera, scene.pose, azimuth, elevation)
+        marks.append(Landmark(float(x), float(y), azimuth, elevation))
+    found = solve(replace(scene, evidence=flat), landmarks=marks)
+    assert found.status == "accepted"
+    assert miss(found, 222.0) < 0.5
+
+
+def test_a_horizon_cut_off_by_the_dem_is_remarked_on(match_scenes):
+    scene = match_scenes.scene(3)
+    clipped = np.ones(3600, bool)
+    found = solve(replace(scene, horizon=replace(scene.horizon, clipped=clipped)))
+    assert any("a larger DEM" in note for note in found.notes)
+
+
 def test_residuals_speak_of_the_full_picture_s_pixels(match_scenes):
     scene = match_scenes.scene(2)
     shifted = replace(scene.evidence.best, row_px=scene.evidence.best.row_px + 2.0)
