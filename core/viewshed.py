@@ -154,7 +154,7 @@ class PackedSink:
         """See `ArraySink.set`."""
         place = row - self.window.row, (col - self._first) // 4
         shift = 2 * ((col - self._first) % 4)
-        self._cells[place] = (self._cells[place] & ~(3 << shift) & 255) | min(value, 2) << shift
+        self._cells[place] = (int(self._cells[place]) & ~(3 << shift)) | min(value, 2) << shift
 
     def read(self, window):
         """Values of a window of the raster that lies within the sink's: uint8, as in `Viewshed.values`."""
