@@ -14,7 +14,7 @@ from scipy.ndimage import maximum_filter
 from .progress import SILENT, checkpoint
 from .terrain import Window
 
-STRIP_ROWS = 512
+STRIP_ROWS = 256
 """Strips start at multiples of this many rows, so that no tile of a usual file is decoded twice."""
 
 

@@ -206,7 +206,8 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
         options.rays_per_cell,
         options.voids_block,
     )
-    k_max = _farthest_lines(frame, window)
+    # Laid out for the whole circle whatever the sector: rays, and so results, are then the same in all of them.
+    k_max = _farthest_lines(frame, sector_window(frame, terrain.shape, FullCircle(), options.max_distance_m))
     views = quarters(frame, k_max)
     for done, quarter in enumerate(views):
         sweep = QuarterSweep(

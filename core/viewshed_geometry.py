@@ -25,7 +25,7 @@ from .errors import UnusableDemError
 NODES = 65
 """Nodes of the tables per side."""
 
-NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-6
+NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-5
 """Rays that bend by less at the far end, over a grid whose scale drifts by less, are taken for straight."""
 
 
