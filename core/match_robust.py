@@ -56,7 +56,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
-    full_fits: int = 12
+    full_fits: int = 14
     same_answer_deg: float = 1.5
     heading_floor_deg: float = 0.1
 
@@ -194,7 +194,14 @@ def find_answers(
     stack = EvidenceStack(evidence.probability, options.evidence)
     marks = scale_landmarks(landmarks, camera_prior.camera, camera)
     objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks)
-    coarse = coarse_search(stack, camera, curve, evidence.probability, options.search, subtask(progress, 0.0, 0.4))
+    coarse = coarse_search(
+        stack,
+        camera,
+        curve,
+        evidence.probability,
+        options.search.for_field(camera.hfov_deg),
+        subtask(progress, 0.0, 0.4),
+    )
     starts = [starting_pose(camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     starts = np.concatenate([starts, coarse.candidates])

@@ -7,7 +7,7 @@ score of every heading is one circular correlation with the DEM's horizon drawn 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import fft
@@ -37,6 +37,9 @@ class SearchOptions:
         Trial rolls.
     keep, separation_deg : int, float
         Candidates handed on and their smallest distance.
+    narrow_deg : float
+        Fields of view below this are searched at half the step, with more and closer candidates: they hold few
+        steps, and a rival that is missed makes a wrong answer look sure.
     """
 
     step_deg: float = 0.4
@@ -45,6 +48,19 @@ class SearchOptions:
     rolls_deg: tuple = (-5.0, 0.0, 5.0)
     keep: int = 60
     separation_deg: float = 2.0
+    narrow_deg: float = 24.0
+
+    def for_field(self, hfov_deg):
+        """Options for a picture's field of view."""
+        if hfov_deg >= self.narrow_deg:
+            return self
+        return replace(
+            self,
+            step_deg=0.5 * self.step_deg,
+            tolerance_deg=0.67 * self.tolerance_deg,
+            keep=int(1.5 * self.keep),
+            separation_deg=0.75 * self.separation_deg,
+        )
 
     def __post_init__(self):
         if not 0 < self.step_deg <= 2 or not self.rolls_deg or self.keep < 1:

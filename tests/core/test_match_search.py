@@ -31,6 +31,13 @@ def test_a_narrow_view_of_a_smooth_horizon_has_the_truth_among_its_candidates(ma
     assert np.abs(candidates[:10, 0] - 97.3).min() < 1.0
 
 
+def test_a_narrow_field_is_searched_more_finely():
+    options = SearchOptions()
+    assert options.for_field(50.0) is options
+    assert options.for_field(10.0).step_deg == options.step_deg / 2
+    assert options.for_field(10.0).keep > options.keep
+
+
 def test_candidates_keep_their_distance_across_north():
     heading = np.arange(0, 360, 0.5)
     score = np.cos(np.radians(heading))
