@@ -16,7 +16,7 @@ TILE = 512
 BULGE = 5e-4
 """Samples between those on grid lines are tried where the best of these comes this near to the floor [tangent]."""
 
-BATCH = 4096
+BATCH = 2048
 """Intervals sampled at once: a few hundred thousand samples stay in the processor's cache."""
 
 

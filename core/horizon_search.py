@@ -7,7 +7,7 @@ import numpy as np
 from .horizon_refine import search_intervals
 from .progress import SILENT, checkpoint, subtask
 
-CHUNK_PAIRS = 400_000
+CHUNK_PAIRS = 100_000
 """(Ray, interval) pairs whose bounds are computed at once."""
 
 NEAR_CELLS = 26
