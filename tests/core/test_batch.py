@@ -1,13 +1,17 @@
 import csv
 from dataclasses import replace
+from datetime import datetime
 
 import numpy as np
 import pytest
 from skyline_viewshed.core.angles import difference
 from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, orient_request
 from skyline_viewshed.core.camera import project
+from skyline_viewshed.core.declination import declination_deg
 from skyline_viewshed.core.errors import TerrainError, UnusableDemError
+from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.io.write_photo import write_photo
 from skyline_viewshed.core.pipeline import OrientOptions
 
 
@@ -39,6 +43,17 @@ def test_the_compass_is_reported_and_in_blind_runs_not_looked_at(scene, dem, nor
     hinted = orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem, OrientOptions(compass="prior"))
     assert turn(hinted, scene.truth["north"]) < 0.5
     assert hinted.orientation.best.score > north.orientation.best.score
+
+
+def test_a_magnetic_reading_is_turned_by_the_declination_of_place_and_time(scene, dem, tmp_path):
+    photo = read_photo(str(scene.folder / "north.jpg"))
+    metadata = replace(photo.metadata, compass_reference="M", taken_at=datetime(2024, 6, 1, 12, 0))
+    path = str(tmp_path / "magnetic.jpg")
+    write_photo(path, photo.pixels, metadata)
+    found = orient_request(PhotoRequest(path), dem)
+    expected = declination_deg(metadata.latitude_deg, metadata.longitude_deg, 0.0, metadata.taken_at)
+    assert 2.0 < expected < 5.0  # the Alps in 2024
+    assert found.compass_true_deg == pytest.approx(26.0 + expected, abs=0.05)
 
 
 @pytest.mark.parametrize(
