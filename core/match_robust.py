@@ -6,12 +6,13 @@ Stages and measurements are described in docs/accuracy.md.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from .angles import wrap_360
 from .camera import Pose
-from .match_calibration import p_correct
+from .match_calibration import p_correct, table
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .match_finding import Finding, examine
 from .match_geometry import HorizonCurve, horizon_rows
@@ -201,6 +202,7 @@ def find_answers(
         evidence.probability,
         options.search.for_field(camera.hfov_deg),
         subtask(progress, 0.0, 0.4),
+        partial(_belief, heading_prior),
     )
     starts = [starting_pose(camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
@@ -218,9 +220,14 @@ def find_answers(
     return Answers(objective, coarse, trials, finding)
 
 
+def _belief(heading_prior, heading_deg):
+    """What the prior adds to the scores: its log ratio, at the calibrated worth of a unit of score."""
+    return log_ratio(heading_prior, heading_deg) / table()["temperature"]
+
+
 def _bonus(objective, trials, heading_prior, crests, options):
     """What speaks for a trial beside the skyline: the belief in its heading, and inner crests."""
-    bonus = log_ratio(heading_prior, trials[:, 0]) / options.refine.effective_columns
+    bonus = _belief(heading_prior, trials[:, 0])
     if crests is not None:
         rows, _ = objective.rows(trials, np.arange(objective.stack.shape[1]))
         bonus = bonus + crests.score(objective.camera, trials, rows)

@@ -84,7 +84,7 @@ class CoarseResult:
     candidates: np.ndarray
 
 
-def coarse_search(stack, camera, curve, probability, options=SearchOptions(), progress=SILENT):
+def coarse_search(stack, camera, curve, probability, options=SearchOptions(), progress=SILENT, belief=None):
     """Score all headings and pitches.
 
     Parameters
@@ -95,6 +95,9 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     curve : HorizonCurve
     probability : (h, w) array
         p(row | column): tells which pitches are worth trying.
+    belief : callable or None
+        Headings (N,) [degrees] -> what is added to their scores when the candidates are chosen; the curve keeps what
+        the picture alone says.
 
     Returns
     -------
@@ -119,7 +122,8 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
             best[better] = top[better]
             best_pitch[better] = pitch + shifts[winner[better]] * step
             best_roll[better] = roll
-    peaks = distinct_peaks(heading, best, options.keep, options.separation_deg)
+    wanted = best if belief is None else best + belief(heading)
+    peaks = distinct_peaks(heading, wanted, options.keep, options.separation_deg)
     candidates = np.column_stack([heading[peaks], best_pitch[peaks], best_roll[peaks]])
     return CoarseResult(heading, best, candidates)
 
