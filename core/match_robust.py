@@ -108,7 +108,8 @@ def match_robust(
         best_probability = max(best_probability, LANDMARK_PROBABILITY)
     probability = answer_probabilities(finding, best_probability)
     status, message = verdict(finding, probability, options.posterior, bool(landmarks))
-    lo, hi = interval(finding, probability)
+    # Of an accepted answer the interval tells how exact it is; how sure it is, p_correct tells.
+    lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     full = camera_prior.camera
     candidates = tuple(
         Candidate(_pose(trial), _lens(full, trial), float(value), float(share))

@@ -55,7 +55,10 @@ def test_far_terrain_is_held_to_a_tighter_tolerance_than_near(match_scenes):
     distance = np.where(scene.horizon.azimuth_deg < 123, 800.0, 40_000.0)
     objective = objective_of(replace(scene, horizon=replace(scene.horizon, distance_m=distance)))
     _, tolerance = objective.rows(np.array([[123.4, 3.0, 0.0, 0.0, 0.0]]), np.arange(256))
-    assert tolerance[0, 10] > 2 * tolerance[0, 245]
+    options, focal = RefineOptions(), objective.camera.focal_px
+    for column, distance_m in ((10, 800.0), (245, 40_000.0)):
+        terrain = options.terrain_error_cells * scene.horizon.cell_m / distance_m * focal
+        assert tolerance[0, column] == pytest.approx(np.hypot(options.pixel_error_px, terrain))
 
 
 def test_distinct_answers_are_counted_across_north():
