@@ -76,11 +76,13 @@ def search_intervals(terrain, sight, ray, interval, floor, margin_px, whole=None
     """
     tangent, distance = np.full(len(ray), -np.inf), np.full(len(ray), np.nan)
     void = np.zeros(len(ray), bool)
+    done = 0
     for jobs, window in _by_tile(terrain, sight, ray, interval, margin_px, whole):
         cells = terrain.read(window)
         for first in range(0, len(jobs), BATCH):
-            checkpoint(progress, 0.0 if len(ray) == 0 else min(1.0, jobs[first] / len(ray)))
+            checkpoint(progress, done / len(ray))
             part = jobs[first : first + BATCH]
+            done += len(part)
             tangent[part], distance[part], void[part] = _sample(
                 cells, window, sight, ray[part], interval[part], floor[part]
             )
