@@ -76,7 +76,7 @@ SENTENCES = (
     mark("The skyline or the DEM's horizon is a straight line, which cannot be matched."),
     mark("The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."),
     mark("The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."),
-    mark("The horizon fits along {a} % of the columns and nowhere else."),
+    mark("The horizon fits along {a} % of the columns, and no other heading comes near."),
     mark(
         "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a "
         "landmark or an approximate heading."

@@ -340,8 +340,8 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
-        <translation>Der Horizont passt auf {a} % der Spalten und sonst nirgends.</translation>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>Der Horizont passt auf {a} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>

@@ -340,8 +340,8 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
-        <translation>El horizonte encaja en el {a} % de las columnas y en ningún otro sitio.</translation>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>El horizonte encaja en el {a} % de las columnas, y ningún otro rumbo se le acerca.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>

@@ -340,8 +340,8 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns and nowhere else.</source>
-        <translation>L'horizon convient sur {a} % des colonnes et nulle part ailleurs.</translation>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>L'horizon convient sur {a} % des colonnes, et aucun autre cap ne s'en approche.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
