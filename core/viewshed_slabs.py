@@ -61,7 +61,8 @@ class Slabs:
         top = int(min(lines[0], lines[-1]))
         by_rows = self.quarter.by_rows
         window = Window(top, inner, len(lines), end - inner) if by_rows else Window(inner, top, end - inner, len(lines))
-        cells = np.full((len(lines), stop - start), LOW, np.float32)
+        cells = np.empty((len(lines), stop - start), np.float32)
+        cells[:, : inner - start], cells[:, end - start :] = LOW, LOW
         place = cells[:: self.quarter.sign, inner - start : end - start]
         values = self.terrain.read(window)
         if by_rows:
