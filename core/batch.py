@@ -16,11 +16,10 @@ from .compass import compass_prior, true_heading_deg
 from .curvature import apparent_drop_m
 from .declination import declination_deg
 from .errors import MissingMetadataError, MissingPackageError, PhotoError
-from .horizon import horizon_profile
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
 from .model import Orientation, OrientedPhoto
-from .pipeline import Hints, OrientOptions, camera_prior, orient_photo
+from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
 from .prior import HeadingPrior, Landmark
 from .progress import SILENT, subtask
 from .ridges import occlusion_edges
@@ -118,7 +117,7 @@ class HorizonCache:
 
     def profile(self, dem, observer, options, progress=SILENT):
         """Give the observer's horizon, cast anew only where it is not among the last ones."""
-        return self._look_up(horizon_profile, dem, observer, options, progress)
+        return self._look_up(cast_horizon, dem, observer, options, progress)
 
     def ridges(self, dem, observer, options, progress=SILENT):
         """Give the observer's inner ridges in the same way."""

@@ -12,6 +12,7 @@ from .match_robust import RobustOptions, match_robust
 from .model import Orientation, OrientedPhoto, SkylineEvidence
 from .prior import CameraPrior, HeadingPrior
 from .progress import SILENT, subtask
+from .raycast_paper import PaperHorizonOptions, paper_horizon
 from .ridges import RidgeOptions, occlusion_edges
 from .skyline_evidence import EvidenceOptions as SkylineOptions
 from .skyline_evidence import skyline_evidence
@@ -33,9 +34,7 @@ class OrientOptions:
     compass : str
         'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
     horizon, ridges, skyline, robust : options of the robust method's stages
-    paper_skyline, paper_match : options of the published method's stages
-    paper_range_m : float
-        The published search range [m].
+    paper_skyline, paper_horizon, paper_match : options of the published method's stages
     """
 
     method: str = "robust"
@@ -45,8 +44,8 @@ class OrientOptions:
     skyline: SkylineOptions = field(default_factory=SkylineOptions)
     robust: RobustOptions = field(default_factory=RobustOptions)
     paper_skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
+    paper_horizon: PaperHorizonOptions = field(default_factory=PaperHorizonOptions)
     paper_match: PaperMatchOptions = field(default_factory=PaperMatchOptions)
-    paper_range_m: float = 15_000.0
 
     def __post_init__(self):
         if self.method not in METHODS or self.compass not in COMPASS_USES:
@@ -54,11 +53,12 @@ class OrientOptions:
 
     @property
     def horizon_of_method(self):
-        """Horizon options of the chosen method."""
+        """Horizon options of the chosen method; they tell `cast_horizon` which engine is meant."""
         if self.method == "robust":
             return self.horizon
-        reach = min(self.paper_range_m, self.horizon.max_distance_m)
-        return replace(self.horizon, max_distance_m=reach, curvature=False, near_skip_cells=1.0)
+        return replace(
+            self.paper_horizon, max_distance_m=min(self.paper_horizon.max_distance_m, self.horizon.max_distance_m)
+        )
 
 
 @dataclass(frozen=True)
@@ -78,6 +78,13 @@ class Hints:
     heading: HeadingPrior | None = None
     landmarks: tuple = ()
     evidence: SkylineEvidence | None = None
+
+
+def cast_horizon(terrain, observer, options, progress=SILENT):
+    """Cast the horizon of either method: `options` are `HorizonOptions` or `PaperHorizonOptions`."""
+    if isinstance(options, PaperHorizonOptions):
+        return paper_horizon(terrain, observer, replace(options, eye_height_m=observer.eye_height_m), progress)
+    return horizon_profile(terrain, observer, options, progress)
 
 
 def camera_prior(metadata, hfov_deg=None, focal_sigma=0.025):
@@ -151,7 +158,7 @@ def orient_photo(
     """
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
     if horizon is None:
-        horizon = horizon_profile(terrain, observer, options.horizon_of_method, subtask(progress, 0.0, 0.4))
+        horizon = cast_horizon(terrain, observer, options.horizon_of_method, subtask(progress, 0.0, 0.4))
     rest = subtask(progress, 0.4, 1.0)
     try:
         if options.method == "paper":

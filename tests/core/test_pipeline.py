@@ -8,6 +8,7 @@ from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.model import Photo, PhotoMetadata
 from skyline_viewshed.core.pipeline import OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.raycast_paper import PaperHorizonOptions
 from skyline_viewshed.core.terrain import Observer
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
@@ -28,10 +29,10 @@ def test_unknown_methods_are_refused():
         OrientOptions(method="magic")
 
 
-def test_the_paper_s_method_looks_fifteen_kilometres_far_over_a_flat_earth():
+def test_the_paper_s_method_casts_its_own_rays_fifteen_kilometres_far():
     chosen = OrientOptions(method="paper", horizon=HorizonOptions(max_distance_m=80_000)).horizon_of_method
     assert chosen.max_distance_m == 15_000
-    assert not chosen.curvature
+    assert isinstance(chosen, PaperHorizonOptions)
 
 
 @pytest.fixture(scope="module")
