@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from qgis.core import (
@@ -11,20 +12,24 @@ from qgis.core import (
     QgsFields,
     QgsProcessingException,
     QgsProcessingOutputLayerDefinition,
+    QgsProperty,
     QgsVectorLayer,
 )
 
 from ..core.errors import OutputError
+from ..core.io.whole_file import staged
 from .i18n import tr
 
-NO_FILE = ("TEMPORARY_OUTPUT", "memory:", "ogr:", "postgres")
-"""How destinations begin that are no plain path."""
+IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
+NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
+"""How destinations begin that are no plain path, as `memory:` or `postgis:`; a drive's name is one letter."""
 
 
 def write_features(algorithm, parameters, name, context, fields, geometry_type, crs, rows):
     """Create the sink `name` and fill it.
 
-    The sink is made only now, when everything is known, so that a run that failed or was cancelled leaves none.
+    The sink is made only now, when everything is known, so that a run that failed or was cancelled leaves none. A
+    file gets its name when it is whole; tables in databases and layers in memory are QGIS's to write.
 
     Parameters
     ----------
@@ -41,32 +46,72 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     QgsProcessingException
         Not all could be written; a file that was begun is gone again.
     """
-    make_folder_of(parameters.get(name))
-    file = _plain_file(parameters.get(name))
-    if _is_in_memory(parameters.get(name)):
+    given = _destination(parameters.get(name), context)
+    make_folder_of(given)
+    if given and given.startswith(IN_MEMORY):
         fields = _without_aliases(fields)
+    kind = fields, geometry_type, crs
+    if not _is_plain_file(given):
+        return _written(algorithm, parameters, name, context, kind, rows)
+    path = Path(given).expanduser().absolute()
+    with staged(path) as stage:
+        elsewhere = {**parameters, name: _moved(parameters[name], str(stage / path.name))}
+        identifier = _written(algorithm, elsewhere, name, context, kind, rows, path)
+    # QGIS may have added a suffix, or the name of a layer in the file.
+    final = (str(path) if given.startswith("~") else given) + identifier[len(str(stage / path.name)) :]
+    _load_instead(context, identifier, final)
+    return final
+
+
+def _written(algorithm, parameters, name, context, kind, rows, path=None):
+    """Create the sink and fill it; `path` is what the user calls the file that QGIS writes elsewhere."""
+    fields, geometry_type, crs = kind
     sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
     if sink is None:
         if parameters.get(name) is None:
             return None
-        raise QgsProcessingException(algorithm.invalidSinkError(parameters, name))
+        named = parameters if path is None else {**parameters, name: str(path)}
+        raise QgsProcessingException(algorithm.invalidSinkError(named, name))
     written = _fill(sink, fields, rows)
     del sink  # closes the file, and only then is it whole
-    if file is not None and not (written and _holds(identifier, file, len(rows))):
-        for leftover in (file, *(file.with_name(file.name + end) for end in ("-journal", "-wal", "-shm"))):
-            leftover.unlink(missing_ok=True)
-        written = False
-    if not written:
-        raise QgsProcessingException(tr("{name} could not be written.").format(name=file or name))
+    if not written or (path is not None and not _holds(identifier, len(rows))):
+        raise QgsProcessingException(tr("{name} could not be written.").format(name=path or name))
     return identifier
 
 
-def _holds(identifier, file, count):
+def _holds(identifier, count):
     """Whether a file has all features, as far as QGIS can read its format again; a full disk shows only here."""
-    layer = QgsVectorLayer(identifier, file.stem, "ogr")
+    layer = QgsVectorLayer(identifier, "written", "ogr")
     if not layer.isValid():
-        return file.suffix.lower() != ".gpkg"
+        return not identifier.lower().split("|")[0].endswith(".gpkg")
     return not 0 <= layer.featureCount() < count
+
+
+def _destination(value, context):
+    """Text of a destination, which dialogs and models wrap; None where it is none."""
+    if isinstance(value, QgsProcessingOutputLayerDefinition):
+        value = value.sink
+    if isinstance(value, QgsProperty):
+        value, known = value.valueAsString(context.expressionContext())
+        return value if known else None
+    return value if isinstance(value, str) else None
+
+
+def _moved(value, path):
+    """Copy of a destination that points elsewhere and keeps what it says of format, layer's name and project."""
+    if not isinstance(value, QgsProcessingOutputLayerDefinition):
+        return path
+    value = QgsProcessingOutputLayerDefinition(value)
+    value.sink = QgsProperty.fromValue(path)
+    return value
+
+
+def _load_instead(context, old, new):
+    """Have QGIS load a layer from the place that its file has moved to."""
+    layers = context.layersToLoadOnCompletion()
+    if old in layers:
+        layers[new] = layers.pop(old)
+        context.setLayersToLoadOnCompletion(layers)
 
 
 def _fill(sink, fields, rows):
@@ -81,13 +126,6 @@ def _fill(sink, fields, rows):
     return True
 
 
-def _is_in_memory(value):
-    """Whether a destination is a layer in memory; the dialog wraps it, scripts do not."""
-    if isinstance(value, QgsProcessingOutputLayerDefinition):
-        value = value.sink.staticValue()
-    return isinstance(value, str) and value.startswith(("TEMPORARY_OUTPUT", "memory:"))
-
-
 def _without_aliases(fields):
     """Copy of the fields; layers in memory hold no aliases, and QGIS 3.40 warns of each one that is lost."""
     plain = QgsFields()
@@ -99,13 +137,9 @@ def _without_aliases(fields):
     return plain
 
 
-def _plain_file(value):
-    """Path of a destination that is a file of its own; None for tables in databases and layers in memory."""
-    if isinstance(value, QgsProcessingOutputLayerDefinition):
-        value = value.sink.staticValue()
-    if not isinstance(value, str) or not value or value.startswith(NO_FILE) or "|" in value:
-        return None
-    return Path(value).expanduser().absolute()
+def _is_plain_file(value):
+    """Whether a destination is a file of its own; no table in a database, no layer in memory, no older .gdb folder."""
+    return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 
 
 def make_folder_of(value):
@@ -115,7 +149,7 @@ def make_folder_of(value):
     ------
     OutputError
     """
-    if not isinstance(value, str) or not value or value.startswith(NO_FILE):
+    if not isinstance(value, str) or not value or NO_FILE.match(value):
         return
     path = Path(value.split("|", 1)[0]).expanduser().absolute()
     try:

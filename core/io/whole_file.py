@@ -1,0 +1,82 @@
+"""Let a library write files under their names in a hidden folder, and bring them into place when they are whole.
+
+For writers that take a name and no handle, as those of vector layers: the layer in the file is called after it, and
+some formats are several files. A process that is killed leaves the hidden folder, never half a file under the name.
+"""
+
+from __future__ import annotations
+
+import os
+import secrets
+import shutil
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from ..errors import OutputError
+
+JOURNALS = ("-wal", "-shm", "-journal")
+"""What SQLite keeps beside a database; one that a dead process has left must not meet a new database."""
+
+SHAPEFILE_PARTS = (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj", ".idm", ".ind")
+"""What belongs to an older shapefile of the same name, as QGIS takes it away when it overwrites one."""
+
+
+@contextmanager
+def staged(path):
+    """Yield a folder to write in; on leaving the block without an error its files move to the folder of `path`.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file to be; its folder exists.
+
+    Yields
+    ------
+    Path
+        A new hidden folder on the same file system, so that moving is one step. The file may get a suffix there that
+        `path` does not have.
+
+    Raises
+    ------
+    OutputError
+        The folder is missing or read-only, or an older file of that name cannot be replaced.
+    """
+    path = Path(path)
+    stage = path.with_name(f".skyline-{secrets.token_hex(6)}")
+    try:
+        try:
+            stage.mkdir()
+            yield stage
+            _move(stage, path)
+        except OSError as error:
+            raise _output_error(path, error) from None
+    finally:
+        shutil.rmtree(stage, ignore_errors=True)
+
+
+def _move(stage, path):
+    """Move one file in one step; where companions come or go, the main name is free until they are in place."""
+    written = sorted(stage.iterdir(), key=lambda file: file.name.startswith(path.name))
+    if not written:
+        raise FileNotFoundError(0, "nothing was written")
+    main = path.with_name(written[-1].name)
+    stale = [file for file in _companions(main) if os.path.lexists(file)]
+    if stale or len(written) > 1:
+        with suppress(FileNotFoundError):
+            main.unlink()
+        for file in stale:
+            file.unlink()
+    for file in written:
+        os.replace(file, path.with_name(file.name))
+
+
+def _companions(main):
+    parts = SHAPEFILE_PARTS if main.suffix.lower() == ".shp" else ()
+    return [main.with_name(main.name + end) for end in JOURNALS] + [main.with_suffix(end) for end in parts]
+
+
+def _output_error(path, error):
+    reason = error.strerror or str(error)
+    if not path.parent.is_dir():
+        reason = f"the folder {path.parent} does not exist"
+    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
