@@ -26,6 +26,7 @@ from .oriented import oriented_specs
 from .outputs import write_features
 from .reporting import PhotoReport
 from .rescue import add_rescue_parameters
+from .result_figures import ResultFigures, figures_out, stations_of
 from .styling import style_on_completion
 from .viewshed_outputs import ViewshedOutputs
 from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
@@ -118,6 +119,7 @@ class PhotoViewshed(SkylineAlgorithm):
                 "RASTERS", tr("Folder for one raster per photo"), tr("GeoTIFFs: 1 seen, 0 not seen, nodata unknown.")
             )
         )
+        self.addParameter(figures_out())
         for name, label in (
             ("COUNT", tr("Number of photos")),
             ("ACCEPTED", tr("Number of accepted photos")),
@@ -146,29 +148,39 @@ class PhotoViewshed(SkylineAlgorithm):
         dem = self.dem.open()
         ground = ViewshedOutputs(dem)
         features, statuses = [], []
+        # Asked once: each question about a temporary folder gives another one.
+        folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
         with PhotoReport(self, parameters, context, len(photos.rows)) as report:
-            view = self._view_of(parameters, context, dem, feedback, options.method, len(photos.rows))
+            viewer = self._viewer(parameters, context, dem, feedback, folders["RASTERS"])
+            view = self._view_of(parameters, context, viewer, options.method, len(photos.rows))
+            figures = ResultFigures(dem, folders["FIGURES"], stations_of(photos.rows), feedback, bool(report.path))
             oriented_photos = orient_each(requests, dem, options, feedback, SHARE, ORIENTATION_PART)
             for row, oriented in zip(photos.rows, oriented_photos):
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)
                 sight = sight_of(row, oriented)
                 viewshed = view(sight, oriented.orientation.status, len(statuses) - 1)
-                report.add(oriented, None if viewshed is None else ground.add(sight, viewshed))
+                if viewshed is None:
+                    report.add(oriented)
+                    continue
+                facts, panels = ground.add(sight, viewshed), figures.draw(sight, viewshed, oriented.preview)
+                report.add(oriented, facts, panels)
             feedback.pushInfo(summary(statuses))
             outputs = self._write(parameters, context, feedback, photos, features, ground)
         counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
-        return {**outputs, **counts, **report.outputs()}
+        written = {name: folder for name, folder in folders.items() if folder}
+        return {**outputs, **written, **counts, **report.outputs()}
 
-    def _view_of(self, parameters, context, dem, feedback, method, count):
-        """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
+    def _viewer(self, parameters, context, dem, feedback, folder):
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         options = viewshed_options(self, parameters, context)
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+        return Viewer(dem, kind, eye_height_m, options, feedback, folder)
+
+    def _view_of(self, parameters, context, viewer, method, count):
+        """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
         doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
-        folder = self.parameterAsString(parameters, "RASTERS", context)
-        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folder)
-        progress = subtask(FeedbackProgress(feedback), *SHARE)
+        progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
 
         def view(sight, status, index):
             if sight.heading_deg is None or not (status == "accepted" or doubtful):
@@ -185,9 +197,7 @@ class PhotoViewshed(SkylineAlgorithm):
         )
         specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs()
         style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
-        results = {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
-        folder = self.parameterAsString(parameters, "RASTERS", context)
-        return {**results, "RASTERS": folder} if folder else results
+        return {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
 
 
 def sight_of(row, oriented):

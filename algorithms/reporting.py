@@ -50,10 +50,10 @@ class PhotoReport:
     def __exit__(self, *failure):
         return self._stack.__exit__(*failure)
 
-    def add(self, oriented, extras=None):
+    def add(self, oriented, extras=None, panels=None):
         """Append the card of one photo."""
         if self._writer is not None:
-            self._writer.add(oriented, extras)
+            self._writer.add(oriented, extras, panels)
 
     def outputs(self):
         """Give the output's name and path."""

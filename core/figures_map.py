@@ -36,6 +36,8 @@ class MapObserver:
     hfov_deg : float or None
         Horizontal field of view [degrees].
     label : str
+    beside : bool
+        Another place than the one that matters: drawn small.
     """
 
     col_px: float
@@ -43,6 +45,7 @@ class MapObserver:
     heading_deg: float | None = None
     hfov_deg: float | None = None
     label: str = ""
+    beside: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,8 +124,9 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
     if data.track_px is not None and len(data.track_px):
         x, y = _place(data, pixels, *np.asarray(data.track_px, float).T)
         draw_line(pixels, x, y, TRACK, 2.5 * unit, casing_px=1.2 * unit)
-    for place in places:
-        draw_dot(pixels, *place, 4.5 * unit, OBSERVER, 1.8 * unit)
+    for observer, place in sorted(zip(data.observers, places), key=lambda pair: not pair[0].beside):
+        radius = (2.4, TRACK, 1.0) if observer.beside else (4.5, OBSERVER, 1.8)
+        draw_dot(pixels, *place, radius[0] * unit, radius[1], radius[2] * unit)
     _label(pixels, data.observers, places, unit)
     scale_bar(pixels, metres_per_px, unit)
     north_arrow(pixels, data.convergence_deg, unit)

@@ -19,8 +19,8 @@ def three_panels(photo, data, height_px=560, captions=True):
 
     Parameters
     ----------
-    photo : uint8 (h, w, 3) array
-        The upright picture, or its overlay.
+    photo : uint8 (h, w, 3) array or None
+        The upright picture, or its overlay; without it there are two panels.
     data : MapData
         With the observer first, its heading and field of view, the viewshed as `seen`, and the track if there is one.
     height_px : int
@@ -34,17 +34,21 @@ def three_panels(photo, data, height_px=560, captions=True):
     """
     east_m, south_m = data.size_m
     map_px = round(height_px * east_m / south_m)
-    plain = replace(data, seen=None, track_px=None)
-    heading = next((o.heading_deg for o in data.observers if o.heading_deg is not None), None)
-    wedge_words = "b  view" if heading is None else f"b  heading {azimuth(heading)}"
-    photo = np.asarray(photo)[..., :3]
+    plain = replace(data, seen=None, track_px=None, observers=data.observers[:1])
+    heading = data.observers[0].heading_deg if data.observers else None
+    wedge_words = "view" if heading is None else f"heading {azimuth(heading)}"
     panels = [
-        (resized(photo, round(height_px * photo.shape[1] / photo.shape[0]), height_px).copy(), "a  photograph"),
         (map_image(plain, map_px, "grey", wedge_reach_m=2 * max(east_m, south_m)), wedge_words),
-        (map_image(data, map_px, "hillshade", wedges=False), "c  viewshed"),
+        (map_image(data, map_px, "hillshade", wedges=False), "viewshed"),
     ]
-    for pixels, words in panels if captions else []:
-        draw_words(pixels, 14, 12, words, (255, 255, 255), height_px / 26, "la", bold=True)
+    if photo is not None:
+        photo = np.asarray(photo)[..., :3]
+        width_px = round(height_px * photo.shape[1] / photo.shape[0])
+        panels.insert(0, (resized(photo, width_px, height_px).copy(), "photograph"))
     gap = np.full((height_px, GAP_PX, 3), PAPER, np.uint8)
-    fitted = [resized(pixels, pixels.shape[1], height_px) for pixels, _ in panels]
-    return np.hstack([fitted[0], gap, fitted[1], gap, fitted[2]])
+    drawn = []
+    for letter, (pixels, words) in zip("abc", panels):
+        if captions:
+            draw_words(pixels, 14, 12, f"{letter}  {words}", (255, 255, 255), height_px / 26, "la", bold=True)
+        drawn += [gap, resized(pixels, pixels.shape[1], height_px)]
+    return np.hstack(drawn[1:])

@@ -34,14 +34,17 @@ class ReportWriter(PageWriter):
         self._picture_px = picture_width_px(expected_photos)
         self._summaries, self._stations, self._drawn = [], [], 0
 
-    def add(self, photo, extras=None):
-        """Append the card of an `OrientedPhoto`; `extras` maps further labels to values."""
+    def add(self, photo, extras=None, panels=None):
+        """Append the card of an `OrientedPhoto`; `extras` maps further labels to values.
+
+        `panels`, uint8 (h, w, 3) pixels, is the figure of where it looks and what ground it shows.
+        """
         self._summaries.append(summarise(photo))
         self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
         most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status == "accepted" else MOST_WITH_FIGURES
         figures = self._drawn < most
         self._drawn += figures
-        self._document.write(photo_card(photo, len(self._summaries), extras, self._picture_px, figures))
+        self._document.write(photo_card(photo, len(self._summaries), extras, self._picture_px, figures, panels))
 
     def _counts(self):
         counts = [(sum(summary.status == name for summary in self._summaries), name) for name in STATUSES]

@@ -25,7 +25,7 @@ SPAN = 1000.0
 """Width of a picture in drawing units of its overlay."""
 
 
-def photo_card(photo, number, extras=None, picture_px=1200, figures=True):
+def photo_card(photo, number, extras=None, picture_px=1200, figures=True, panels=None):
     """Write a card.
 
     Parameters
@@ -39,6 +39,8 @@ def photo_card(photo, number, extras=None, picture_px=1200, figures=True):
         Width to which the picture is reduced [pixels].
     figures : bool
         Draw; else only words and numbers, for very long runs.
+    panels : uint8 (h, w, 3) array or None
+        Figure of where it looks and what ground it shows.
 
     Returns
     -------
@@ -53,7 +55,7 @@ def photo_card(photo, number, extras=None, picture_px=1200, figures=True):
     return (
         f'<article class="card item is-{status}" id="photo-{number}"><header>{badge(status)}'
         f"<h2><bdi>{escape(file_name(photo.path))}</bdi></h2>{_origin(photo)}</header>"
-        f"{body}{_more(photo, extras, figures)}</article>\n"
+        f"{body}{_ground(panels, picture_px) if figures else ''}{_more(photo, extras, figures)}</article>\n"
     )
 
 
@@ -192,6 +194,21 @@ def _plots(photo):
         return f'<div class="plots">{curve}</div>'
     residuals = residuals_svg(residual_px, full_size(photo)[1], pixels_per_degree(photo), width=500, height=156)
     return f'<div class="plots">{curve}{residuals}</div>'
+
+
+def _ground(panels, picture_px):
+    """The three panels, reduced like the picture; a browser decodes them when they come into sight."""
+    if panels is None:
+        return ""
+    height, width = panels.shape[:2]
+    try:
+        small = resized(panels, picture_px, height * picture_px / width) if width > picture_px else panels
+        url = data_url(encode_jpeg(small, 80), "jpeg")
+    except MissingPackageError:
+        return ""  # the overlay's place has said so
+    title = "Where it looks, and the ground it shows"
+    picture = f'<img src="{url}" alt="{title}" width="{width}" height="{height}" loading="lazy" decoding="async">'
+    return f'<details class="ground" open><summary>{title}</summary>{picture}</details>'
 
 
 def _more(photo, extras, figures):
