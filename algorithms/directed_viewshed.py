@@ -11,6 +11,7 @@ from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
+from .result_figures import ResultFigures, figures_out, stations_of
 from .viewshed_outputs import ViewshedOutputs
 from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
 
@@ -88,6 +89,7 @@ class DirectedViewshed(SkylineAlgorithm):
                 tr("GeoTIFFs: 1 seen, 0 not seen, nodata unknown."),
             )
         )
+        self.addParameter(figures_out())
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of viewsheds")))
 
     def input_fault(self, parameters, context):
@@ -121,17 +123,19 @@ class DirectedViewshed(SkylineAlgorithm):
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         options, dem = viewshed_options(self, parameters, context), self.dem.open()
-        folder = self.parameterAsString(parameters, "RASTERS", context)
+        folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
         outputs = ViewshedOutputs(dem)
-        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folder)
+        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folders["RASTERS"])
+        figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
         for sight, viewshed in viewer.each(sights, (0.0, 0.9)):
             outputs.add(sight, viewshed)
+            figures.draw(sight, viewshed)
         results = {
             "OUTPUT": outputs.write_count(self, parameters, "OUTPUT", context, feedback),
             "POLYGONS": outputs.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs),
             "COUNT": len(outputs.rows),
         }
-        return {**results, "RASTERS": folder} if folder else results
+        return {**results, **{name: folder for name, folder in folders.items() if folder}}
 
 
 def pose_parameters():

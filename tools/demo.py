@@ -35,7 +35,7 @@ def main():
     draw_map(results, dem, out / "map.png")
     table(results, photos)
     print("\nLook at:")
-    for name in ("report.html", "map.png", "skyline.gpkg", "viewshed.tif"):
+    for name in ("report.html", "map.png", "figures", "skyline.gpkg", "viewshed.tif"):
         print(f"  {(out / name).relative_to(ROOT) if out.is_relative_to(ROOT) else out / name}")
 
 
@@ -51,7 +51,7 @@ def sample(folder):
 def run(photos, dem, out):
     """Orient the photographs and compute what they show; gives the paths of the outputs."""
     results = {"points": out / "skyline.gpkg", "viewshed": out / "viewshed.tif", "report": out / "report.html"}
-    for path in results.values():
+    for path in [*results.values(), *(out / "figures").glob("*.png")]:
         path.unlink(missing_ok=True)
     command = [
         shutil.which("qgis_process.bin") or "qgis_process",
@@ -64,6 +64,7 @@ def run(photos, dem, out):
         f"POLYGONS=ogr:dbname='{results['points']}' table=\"ground_in_view\" (geom)",
         f"VIEWSHED={results['viewshed']}",
         f"REPORT={results['report']}",
+        f"FIGURES={out / 'figures'}",
     ]
     print(" ".join(command[1:3]), photos, dem, flush=True)
     start = time.monotonic()
