@@ -18,6 +18,9 @@ MOST_CELLS = 600
 MARGIN = 0.06
 """Of the longer side, left free around what is shown."""
 
+LONGEST = 1.5
+"""Ratio of a map's sides, at most: three panels shall stand side by side."""
+
 SMALLEST_M = 500.0
 """A map reaches at least this far in each direction, also where nothing is seen [m]."""
 
@@ -89,7 +92,7 @@ def ground_map(terrain, frame, seen, observers=(), track_px=None, *, shown=1, mo
     Returns
     -------
     MapData
-        As near to a square on the ground as the raster allows, row 0 at the top.
+        Its sides differ by `LONGEST` at most where the raster is large enough; row 0 is at the top.
     """
     observers = tuple(observers)
     window = _surroundings(seen.extent(), observers[:shown], frame, terrain.shape)
@@ -113,17 +116,18 @@ def ground_map(terrain, frame, seen, observers=(), track_px=None, *, shown=1, mo
 
 
 def _surroundings(extent, observers, frame, shape):
-    """Window with a margin around seen cells and observers, square on the ground where the raster is large enough."""
+    """Window with a margin around seen cells and observers, of bounded proportions where the raster is large enough."""
     rows, cols = [observer.row_px for observer in observers], [observer.col_px for observer in observers]
     if extent is not None:
         rows, cols = [*rows, *extent[:2]], [*cols, *extent[2:]]
     if not rows:
         return Window(0, 0, *shape)
     cell_x_m, cell_y_m = frame.cell_size_m
-    half_m = max((max(cols) - min(cols)) * cell_x_m, (max(rows) - min(rows)) * cell_y_m) * (0.5 + MARGIN)
-    half_m = max(half_m, SMALLEST_M)
-    row, height = _span((max(rows) + min(rows)) / 2, half_m / cell_y_m, shape[0])
-    col, width = _span((max(cols) + min(cols)) / 2, half_m / cell_x_m, shape[1])
+    half_x_m = (max(cols) - min(cols)) * cell_x_m * (0.5 + MARGIN)
+    half_y_m = (max(rows) - min(rows)) * cell_y_m * (0.5 + MARGIN)
+    half_x_m, half_y_m = max(half_x_m, half_y_m / LONGEST, SMALLEST_M), max(half_y_m, half_x_m / LONGEST, SMALLEST_M)
+    row, height = _span((max(rows) + min(rows)) / 2, half_y_m / cell_y_m, shape[0])
+    col, width = _span((max(cols) + min(cols)) / 2, half_x_m / cell_x_m, shape[1])
     return Window(row, col, height, width)
 
 

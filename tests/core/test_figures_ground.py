@@ -28,11 +28,15 @@ def patch(window, cells, value=1):
     return SeenGround(window, values)
 
 
-def test_the_map_is_a_square_on_the_ground_that_holds_eye_and_seen_cells():
+def test_the_map_holds_eye_and_seen_cells_and_is_no_strip():
     terrain = sloping()
     seen = patch(Window(10, 15, 70, 60), [(30, 60), (55, 40)])
     data = ground_map(terrain, frame_of(terrain), seen, [MapObserver(20.0, 70.0, 45.0, 50.0)])
-    assert data.size_m[0] == pytest.approx(data.size_m[1])
+    assert 1 / 1.6 < data.size_m[0] / data.size_m[1] < 1.6
+    narrow = ground_map(
+        terrain, frame_of(terrain), patch(Window(0, 0, 90, 120), [(70, 110)]), [MapObserver(20.0, 70.0)]
+    )
+    assert narrow.size_m[0] / narrow.size_m[1] == pytest.approx(1.5, rel=0.05)
     observer = data.observers[0]
     assert 0 <= observer.col_px < data.elevation_m.shape[1] and 0 <= observer.row_px < data.elevation_m.shape[0]
     assert data.elevation_m[round(observer.row_px), round(observer.col_px)] == 1000 + 700 + 20
