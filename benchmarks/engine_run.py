@@ -1,6 +1,6 @@
 """Run the engine once, whole process, as `bench_speed` measures it: open the DEM, compute, write.
 
-Usage: python engine_run.py horizon|circle|wedge DEM X Y RADIUS_M OUTPUT [START_DEG END_DEG]
+Usage: python engine_run.py horizon|circle|wedge|packed DEM X Y RADIUS_M OUTPUT [START_DEG END_DEG]
 """
 
 from __future__ import annotations
@@ -8,14 +8,36 @@ from __future__ import annotations
 import sys
 
 import numpy as np
-from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.crs import to_wgs84
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.io.write_raster import write_raster
 from skyline_viewshed.core.terrain import Observer
-from skyline_viewshed.core.viewshed import FullCircle, PackedSink, ViewshedOptions, Wedge, viewshed
 
 REFRACTION = 1.0 / 7.0
+
+
+def horizon(dem, observer, radius_m, output):
+    """The horizon as a table."""
+    from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile  # each task imports its own, as in QGIS
+
+    options = HorizonOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
+    profile = horizon_profile(dem, observer, options)
+    columns = profile.azimuth_deg, profile.elevation_deg, profile.distance_m, profile.clipped
+    np.savetxt(output, np.column_stack(columns), "%.4f", ",")
+
+
+def ground(dem, observer, radius_m, output, wedge, packed):
+    """The viewshed as a raster; packed: more cells than fit into the memory cap as bytes, not written."""
+    from skyline_viewshed.core.io.write_raster import write_raster
+    from skyline_viewshed.core.viewshed import FullCircle, PackedSink, ViewshedOptions, Wedge, viewshed
+
+    sector = FullCircle()
+    if wedge:
+        start, end = map(float, wedge)
+        sector = Wedge((start + (end - start) % 360 / 2) % 360, (end - start) % 360)
+    options = ViewshedOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
+    result = viewshed(dem, observer, sector, options, sink=PackedSink if packed else None)
+    if not packed:
+        write_raster(output, result.values, dem, result.window, nodata=255)
 
 
 def main(task, path, x, y, radius_m, output, *wedge):
@@ -23,21 +45,9 @@ def main(task, path, x, y, radius_m, output, *wedge):
     longitude, latitude = to_wgs84(dem.crs_wkt, float(x), float(y))
     observer, radius_m = Observer(float(longitude), float(latitude), 1.7), float(radius_m)
     if task == "horizon":
-        options = HorizonOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
-        profile = horizon_profile(dem, observer, options)
-        columns = profile.azimuth_deg, profile.elevation_deg, profile.distance_m, profile.clipped
-        np.savetxt(output, np.column_stack(columns), "%.4f", ",")
-        return
-    sector = FullCircle()
-    if wedge:
-        start, end = map(float, wedge)
-        sector = Wedge((start + (end - start) % 360 / 2) % 360, (end - start) % 360)
-    options = ViewshedOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
-    if task == "packed":  # more cells than fit into the memory cap as bytes
-        viewshed(dem, observer, sector, options, sink=PackedSink)
-        return
-    result = viewshed(dem, observer, sector, options)
-    write_raster(output, result.values, dem, result.window, nodata=255)
+        horizon(dem, observer, radius_m, output)
+    else:
+        ground(dem, observer, radius_m, output, wedge, task == "packed")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 The frame is azimuthal equidistant: the direction of (east, north) is the true azimuth and its length the ground
 distance on the ellipsoid. Scale distortion and meridian convergence of the raster's CRS are therefore right by
 construction. The exact transformation is expensive, so it is tabulated on a coarse grid and interpolated:
-an affine part, exact at the observer, plus a smooth remainder.
+an affine part, exact at the observer, plus a smooth remainder. The table itself is filled from a polynomial through
+a few hundred exact points wherever further exact points prove that polynomial right, and point by point elsewhere.
 """
 
 from __future__ import annotations
@@ -11,10 +12,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import map_coordinates
 
 NEGLIGIBLE_PX = 0.02
 """A remainder below this [cells] is not worth an interpolation."""
+
+DEGREE = 16
+"""Of the polynomial, per axis, through which a table is filled."""
+
+POLYNOMIAL_PX = 1e-3
+"""By so much the polynomial may miss exact points; beyond, the table is computed node by node."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,12 +79,10 @@ class LocalFrame:
         col = self.col_px + a * east_m + b * north_m
         row = self.row_px + c * east_m + d * north_m
         if self.remainder_px is not None:
-            size = self.remainder_px.shape[-1]
-            to_index = (size - 1) / (2 * self.radius_m)
-            index = np.stack([np.ravel(north_m + self.radius_m), np.ravel(east_m + self.radius_m)]) * to_index
-            shape = np.shape(col)  # map_coordinates refuses single places without a dimension
-            col = col + map_coordinates(self.remainder_px[0], index, order=1, mode="nearest").reshape(shape)
-            row = row + map_coordinates(self.remainder_px[1], index, order=1, mode="nearest").reshape(shape)
+            to_index = (self.remainder_px.shape[-1] - 1) / (2 * self.radius_m)
+            index = (north_m + self.radius_m) * to_index, (east_m + self.radius_m) * to_index
+            bent_col, bent_row = _interpolate(self.remainder_px, *index)
+            col, row = col + bent_col, row + bent_row
         return col, row
 
     def to_local(self, col_px, row_px, iterations=3):
@@ -103,6 +107,23 @@ def _apply(matrix, x, y):
     return matrix[0, 0] * x + matrix[0, 1] * y, matrix[1, 0] * x + matrix[1, 1] * y
 
 
+def _interpolate(tables, row, col):
+    """Interpolate square tables linearly; beyond the outer nodes these hold. (SciPy's own takes as long, and its
+    import longer than all frames of a usual run.)
+    """
+    size = tables.shape[-1]
+    row, col = (np.fmin(np.fmax(place, 0.0), size - 1.0) for place in (row, col))  # NaN goes somewhere, and stays NaN
+    first_row, first_col = (np.minimum(place.astype(np.intp), size - 2) for place in (row, col))
+    row, col = row - first_row, col - first_col
+    corner = first_row * size + first_col
+    for table in tables:
+        flat = table.reshape(-1)
+        upper, lower = flat.take(corner), flat.take(corner + size)
+        upper = upper + (flat.take(corner + 1) - upper) * col
+        lower = lower + (flat.take(corner + (size + 1)) - lower) * col
+        yield upper + (lower - upper) * row
+
+
 def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
     """Build a `LocalFrame` from an exact transformation.
 
@@ -122,13 +143,43 @@ def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
     col, row = transform(np.array([0, step, -step, 0, 0]), np.array([0, 0, 0, step, -step]))
     jacobian = np.array([[col[1] - col[2], col[3] - col[4]], [row[1] - row[2], row[3] - row[4]]]) / (2 * step)
     frame = LocalFrame(longitude_deg, latitude_deg, float(col[0]), float(row[0]), jacobian, float(radius_m))
+
+    def remainder_at(east_m, north_m):
+        return np.array(transform(east_m, north_m)) - np.array(frame.to_pixel(east_m, north_m))
+
     axis = np.linspace(-radius_m, radius_m, size)
-    north, east = np.meshgrid(axis, axis, indexing="ij")
-    exact = np.array(transform(east.ravel(), north.ravel())).reshape(2, size, size)
-    remainder = exact - np.array(frame.to_pixel(east, north))
+    remainder = _polynomial_table(remainder_at, axis) if size > 2 * DEGREE else None
+    if remainder is None:
+        north, east = np.meshgrid(axis, axis, indexing="ij")
+        remainder = remainder_at(east.ravel(), north.ravel()).reshape(2, size, size)
     if not np.isfinite(remainder).all():
         # Far corners may lie outside the CRS's domain; nothing of the raster is there either.
         remainder = np.nan_to_num(remainder, nan=0.0, posinf=0.0, neginf=0.0)
     if np.abs(remainder).max() < NEGLIGIBLE_PX:
         return frame
     return LocalFrame(longitude_deg, latitude_deg, frame.col_px, frame.row_px, jacobian, float(radius_m), remainder)
+
+
+def _polynomial_table(remainder_at, axis):
+    """Fill a table over (north, east) from a Chebyshev interpolant; None where exact points contradict it."""
+    count = DEGREE + 1
+    radius = float(axis[-1])
+    node = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    north, east = np.meshgrid(node * radius, node * radius, indexing="ij")
+    values = remainder_at(east.ravel(), north.ravel()).reshape(2, count, count)
+    if not np.isfinite(values).all():
+        return None
+    orthogonal = np.polynomial.chebyshev.chebvander(node, DEGREE) * (2.0 / count)
+    orthogonal[:, 0] /= 2
+    coefficients = orthogonal.T @ values @ orthogonal
+
+    def at(places):
+        return np.polynomial.chebyshev.chebvander(places / radius, DEGREE)
+
+    probe = np.linspace(-radius, radius, 9)
+    north, east = np.meshgrid(probe, probe, indexing="ij")
+    exact = remainder_at(east.ravel(), north.ravel()).reshape(2, len(probe), len(probe))
+    error = np.abs(at(probe) @ coefficients @ at(probe).T - exact)
+    if not error.max() <= POLYNOMIAL_PX:  # NaN does not pass either
+        return None
+    return at(axis) @ coefficients @ at(axis).T

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import maximum_filter
 
 from .progress import SILENT, checkpoint
 from .terrain import Window
@@ -46,10 +45,11 @@ class BlockMaxima:
 
     def index(self, col_px, row_px):
         """Block (row, column) under pixels of the whole raster, held inside the window."""
-        rows, cols = self.highest_m.shape
-        row = (np.floor(row_px + 0.5).astype(np.intp) - self.window.row) // self.block
-        col = (np.floor(col_px + 0.5).astype(np.intp) - self.window.col) // self.block
-        return np.clip(row, 0, rows - 1), np.clip(col, 0, cols - 1)
+        places = []
+        for place, start, count in zip((row_px, col_px), (self.window.row, self.window.col), self.highest_m.shape):
+            index = (np.asarray(place) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
+            places.append(np.minimum(np.maximum(index, 0.0), count - 1).astype(np.intp))
+        return tuple(places)
 
 
 def aligned(window, block, shape):
@@ -92,8 +92,8 @@ def block_maxima(terrain, window, block, progress=SILENT):
         row = end
     summit = float(highest.max()) if highest.size else -np.inf
     if has_void.any():
-        has_void = maximum_filter(has_void, size=3, mode="nearest")
-    return BlockMaxima(window, block, maximum_filter(highest, size=3, mode="nearest"), has_void, all_void, summit)
+        has_void = _with_neighbours(has_void)
+    return BlockMaxima(window, block, _with_neighbours(highest), has_void, all_void, summit)
 
 
 def _maxima_of(strip, block):
@@ -107,6 +107,16 @@ def _maxima_of(strip, block):
         lines = np.maximum(lines[:, ::2], lines[:, 1::2])
         block //= 2
     return lines
+
+
+def _with_neighbours(values):
+    """Maximum of each element and its eight neighbours. (SciPy's filter is no faster, and costs its import.)"""
+    for _ in range(2):
+        highest = values.copy()
+        np.maximum(highest[1:], values[:-1], out=highest[1:])
+        np.maximum(highest[:-1], values[1:], out=highest[:-1])
+        values = highest.T
+    return np.ascontiguousarray(values)
 
 
 class HeldTerrain:

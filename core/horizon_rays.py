@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-NODES = 65
-"""Nodes along a ray between which pixel positions are interpolated; the frame itself is tabulated as coarsely."""
+NODES = 9, 65
+"""Least and most nodes along a ray, between which pixel positions are interpolated."""
+
+BEND_PX = 0.002
+"""So far a ray may run from its true way between two nodes, where the most nodes do not take it farther [cells]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +69,7 @@ def lay_rays(frame, shape, azimuth_deg, max_distance_m):
     """
     limit = max_distance_m
     for _ in range(2):  # a small raster in a long range: spend the nodes where the raster is
-        nodes = 2 if frame.remainder_px is None else NODES
+        nodes = _nodes(frame, limit)
         node_m = np.linspace(0.0, limit, nodes)
         turn = np.radians(azimuth_deg)[:, None]
         col, row = frame.to_pixel(node_m * np.sin(turn), node_m * np.cos(turn))
@@ -76,6 +79,18 @@ def lay_rays(frame, shape, azimuth_deg, max_distance_m):
             break
         limit = min(limit, furthest * 1.02)
     return Rays(np.asarray(azimuth_deg, float), node_m, col, row, reach)
+
+
+def _nodes(frame, limit_m):
+    """How many nodes rays need in a frame that bends as this one does."""
+    table = frame.remainder_px
+    if table is None:
+        return 2
+    bend_px = max(np.abs(np.diff(table, 2, axis=axis)).max(initial=0.0) for axis in (1, 2))
+    table_step_m = 2 * frame.radius_m / (table.shape[-1] - 1)
+    # Along a ray both axes' bends, and their mixed one, can add up to twice the larger; between nodes it is an eighth.
+    step_m = table_step_m * np.sqrt(BEND_PX * 8 / (2 * max(bend_px, 1e-12)))
+    return int(np.clip(np.ceil(limit_m / step_m) + 1, *NODES))
 
 
 def _reach(node_m, col, row, shape):

@@ -13,7 +13,7 @@ CHUNK_PAIRS = 100_000
 """(Ray, interval) pairs whose bounds are computed at once."""
 
 NEAR_CELLS = 39
-"""Ground this near is sampled in any case: its bounds are too loose to dismiss it."""
+"""Ground this near is sampled twice as closely. Its bounds are too loose to tell where the horizon is likely."""
 
 
 class Search:
@@ -38,13 +38,12 @@ class Search:
         bound = self._bounds(progress)
         nearby = np.zeros(bound.shape, bool)
         nearby[:, : max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))] = True
+        # The most promising intervals of the distance first: they raise the bar for all others.
+        far = np.where(nearby, np.float32(-np.inf), bound)
+        self._refine(_highest_two(far) & self._alive(far), bound, subtask(progress, 0.3, 0.5))
         # Close by, a cell's curved surface can stand well above all its crossings: look there twice as closely.
         close = replace(self.sight, lines_per_cell=2 * self.sight.lines_per_cell)
-        self._refine(nearby & self._alive(bound), bound, subtask(progress, 0.3, 0.4), close)
-        for turn in (0, 1):  # the most promising intervals first: they raise the bar for all others
-            best_left = np.zeros_like(nearby)
-            best_left[np.arange(len(bound)), bound.argmax(axis=1)] = True
-            self._refine(best_left & self._alive(bound), bound, subtask(progress, 0.4 + 0.1 * turn, 0.5 + 0.1 * turn))
+        self._refine(nearby & self._alive(bound), bound, subtask(progress, 0.5, 0.6), close)
         self._refine(self._alive(bound), bound, subtask(progress, 0.6, 0.9))
         return (self.tangent, self.distance, *self._voids(progress))
 
@@ -131,6 +130,20 @@ class Search:
         return void, known_m
 
 
+def _highest_two(bound):
+    """Mask of the two highest values in each row."""
+    chosen, row = np.zeros(bound.shape, bool), np.arange(len(bound))
+    first = bound.argmax(axis=1)
+    kept = bound[row, first]
+    bound[row, first] = -np.inf
+    chosen[row, first] = chosen[row, bound.argmax(axis=1)] = True
+    bound[row, first] = kept
+    return chosen
+
+
 def _tangent_bound(height_m, start_m, stop_m, drop_per_m2):
     """Highest tangent that terrain `height_m` above the eye can have between two distances."""
-    return np.where(height_m >= 0, height_m / start_m, height_m / stop_m) - drop_per_m2 * start_m
+    bound = height_m * (1.0 / start_m)  # the higher of the two where the terrain stands above the eye
+    np.maximum(bound, height_m * (1.0 / stop_m), out=bound)
+    bound -= drop_per_m2 * start_m
+    return bound

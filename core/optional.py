@@ -14,6 +14,8 @@ PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exi
 
 def available(module):
     """Import an optional module and return it, or None where it is missing or broken."""
+    if sys.modules.get(module) is not None:
+        return sys.modules[module]
     try:
         with _own_libraries_first(module):
             return importlib.import_module(module)

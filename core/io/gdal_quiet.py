@@ -6,8 +6,9 @@ from contextlib import contextmanager
 
 from ..optional import available
 
-CACHE_BYTES = 64 * 2**20
-"""Of GDAL's block cache while a window passes through; its own default is 5 % of the memory."""
+CACHE_BYTES = 8 * 2**20, 64 * 2**20
+"""Least and most of GDAL's block cache while a window passes through; its own default is 5 % of the memory. The less
+of it is touched, the faster: on an uncompressed file 8 MB take a third of the time of 64."""
 
 
 @contextmanager
@@ -43,14 +44,41 @@ def open_quietly(path, drivers=()):
 
 
 @contextmanager
-def small_cache():
-    """Hold GDAL's block cache small while data pass through, and leave it as the host had it."""
+def direct_reading():
+    """Let uncompressed TIFFs that are opened meanwhile be read past GDAL's block cache.
+
+    A small window of them then costs its own bytes, not those of the blocks that it touches. Other files are read as
+    ever.
+    """
     gdal = available("osgeo.gdal")
-    before = gdal.GetCacheMax()
-    if before > CACHE_BYTES:
-        gdal.SetCacheMax(CACHE_BYTES)
+    name = "GTIFF_DIRECT_IO"
+    if gdal is None or not hasattr(gdal, "SetThreadLocalConfigOption"):
+        yield
+        return
+    before = gdal.GetThreadLocalConfigOption(name)
+    gdal.SetThreadLocalConfigOption(name, "YES")
     try:
         yield
     finally:
-        if before > CACHE_BYTES:
+        gdal.SetThreadLocalConfigOption(name, before)
+
+
+@contextmanager
+def small_cache(row_of_blocks=CACHE_BYTES[1]):
+    """Hold GDAL's block cache small while data pass through, and leave it as the host had it.
+
+    Parameters
+    ----------
+    row_of_blocks : int
+        Bytes of the blocks that must stay from one strip to the next, lest they be decoded twice.
+    """
+    gdal = available("osgeo.gdal")
+    before, (least, most) = gdal.GetCacheMax(), CACHE_BYTES
+    size = min(max(row_of_blocks + least // 2, least), most)
+    if before > size:
+        gdal.SetCacheMax(size)
+    try:
+        yield
+    finally:
+        if before > size:
             gdal.SetCacheMax(before)

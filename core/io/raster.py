@@ -12,7 +12,7 @@ from ..errors import ObserverOutsideDemError, TerrainError, UnusableDemError
 from ..frame import tabulate_frame
 from ..terrain import Window
 from .crs import Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
-from .gdal_quiet import open_quietly, quiet_gdal, small_cache
+from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Values beyond are fill values (-32768, -3.4e38, 1e20, ...), tagged or not: no place on Earth lies there."""
@@ -54,7 +54,8 @@ def open_dem(path, band=1, crs=None):
     UnusableDemError
     """
     path = os.fspath(path)
-    dataset = open_quietly(path)
+    with direct_reading():
+        dataset = open_quietly(path)
     if dataset is None:
         if not os.path.exists(path):
             raise UnusableDemError(f"The DEM {path} does not exist. Check the path.")
@@ -136,11 +137,16 @@ class Dem:
             raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
         out = np.empty((window.rows, window.cols), np.float32)
         strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)
-        with small_cache():
+        with small_cache(self._row_of_blocks(window.cols)):
             for start in range(0, window.rows if window.cols else 0, strip_rows):
                 strip = out[start : start + strip_rows]
                 self._read_strip(window.col, window.row + start, strip)
         return out
+
+    def _row_of_blocks(self, cols):
+        """Bytes in GDAL's cache of one row of blocks across a window."""
+        width, height = self._band.GetBlockSize()
+        return (cols // width + 2) * width * height * max(gdal.GetDataTypeSize(self._band.DataType) // 8, 1)
 
     def _read_strip(self, col, row, strip):
         rows, cols = strip.shape

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from skyline_viewshed.core import frame as frame_module
 from skyline_viewshed.core.frame import tabulate_frame
 
 
@@ -53,3 +54,37 @@ def test_corners_outside_the_projection_s_domain_do_not_spoil_the_rest():
 
     frame = tabulate_frame(0, 0, partial, 80_000)
     assert np.allclose(frame.to_pixel(300.0, 0.0), (20, 10))
+
+
+def bent_grid(east, north):
+    """A smooth grid with terms of high order, as none of the usual projections has in so small a range."""
+    x, y = np.asarray(east, float) / 1e5, np.asarray(north, float) / 1e5
+    return 500 + east / 30 + 9 * np.sin(2 * x + y) * y, 400 - north / 30 + 5 * np.exp(x * y)
+
+
+def kinked_grid(east, north):
+    return 500 + east / 30 + np.abs(np.asarray(east, float) - 3333.0) / 300, 400 - np.asarray(north, float) / 30
+
+
+@pytest.mark.parametrize("grid", [bent_grid, kinked_grid])
+def test_a_table_filled_from_a_polynomial_is_that_of_the_exact_points(grid, monkeypatch):
+    asked = []
+
+    def transform(east, north):
+        asked.append(np.size(east))
+        return grid(east, north)
+
+    quick = tabulate_frame(0, 60, transform, 100_000)
+    monkeypatch.setattr(frame_module, "_polynomial_table", lambda *_: None)
+    exact = tabulate_frame(0, 60, grid, 100_000)
+    assert np.abs(quick.remainder_px - exact.remainder_px).max() < 1e-3
+    if grid is bent_grid:
+        assert sum(asked) < 400, "a few hundred points suffice"
+    else:
+        np.testing.assert_array_equal(quick.remainder_px, exact.remainder_px)
+
+
+def test_places_beyond_the_table_and_without_a_number_do_no_harm():
+    frame = tabulate_frame(0, 60, bent_grid, 100_000)
+    col, row = frame.to_pixel(np.array([0.0, np.nan, 5e5]), np.zeros(3))
+    assert np.isfinite(col[[0, 2]]).all() and np.isnan(col[1]) and np.isfinite(row[[0, 2]]).all()
