@@ -20,9 +20,13 @@ def quiet_gdal(warnings=False):
     gdal = available("osgeo.gdal")
     least, messages = gdal.CE_Warning if warnings else gdal.CE_Failure, []
 
-    def collect(severity, number, text):
+    def collect(*given):
+        try:
+            severity, _, text = given
+        except ValueError:  # GDAL before 3.7 makes of a text that is no UTF-8 no arguments at all and a pending error
+            severity, text = gdal.CE_Failure, "a message that cannot be read"
         if severity >= least:
-            messages.append(text.strip())
+            messages.append((text.decode("utf-8", "replace") if isinstance(text, bytes) else text).strip())
 
     gdal.PushErrorHandler(collect)
     try:
