@@ -52,8 +52,8 @@ class HorizonOptions:
         Highest elevation to expect where the DEM is silent (beyond its edge, in voids) [m]; None takes the highest
         cell within range. It decides `HorizonProfile.clipped` and `void` and nothing else.
     memory_mb : float
-        Hold the terrain in memory where it takes no more than this, else read it in strips and tiles [MB]. The
-        result is the same.
+        So much of the terrain is held in memory, around the observer; what lies beyond is read twice, in strips and
+        in small pieces [MB]. The result is the same.
     """
 
     azimuth_step_deg: float = 0.1
@@ -123,13 +123,11 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
         return _profile(rays, options, eye_m, frame.cell_m, -np.inf)
 
     window = aligned(_window(rays, terrain.shape), block, terrain.shape)
-    held = window.rows * window.cols * 4e-6 <= options.memory_mb
-    if held:
-        terrain = HeldTerrain(terrain, window, subtask(progress, 0.0, 0.5))
-    blocks = block_maxima(terrain, window, block, subtask(progress, 0.5 if held else 0.0, 0.7))
+    terrain = HeldTerrain(terrain, window, frame.row_px, options.memory_mb)
+    blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7))
     sight = Sight(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
-    search = Search(terrain, sight, blocks, summit_m, window if held else None)
+    search = Search(terrain, sight, blocks, summit_m, window if terrain.whole else None)
     tangent, distance, void, known_m = search.run(frame.cell_m, subtask(progress, 0.7, 1.0))
     return _profile(rays, options, eye_m, frame.cell_m, summit_m, tangent, distance, void, known_m)
 

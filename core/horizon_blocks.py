@@ -120,17 +120,42 @@ def _with_neighbours(values):
 
 
 class HeldTerrain:
-    """A window of a terrain, read once and served from memory."""
+    """A terrain of which the rows nearest one place stay in memory once they are read.
 
-    def __init__(self, terrain, window, progress):
-        self.shape, self._window = terrain.shape, window
-        self._cells = np.empty((window.rows, window.cols), np.float32)
-        for row in range(0, window.rows, STRIP_ROWS):
-            checkpoint(progress, row / window.rows)
-            count = min(STRIP_ROWS, window.rows - row)
-            self._cells[row : row + count] = terrain.read(Window(window.row + row, window.col, count, window.cols))
+    Parameters
+    ----------
+    terrain : Terrain
+    window : Window
+        All that will be read.
+    middle_row : float
+        The rows around it are kept.
+    memory_mb : float
+        So much may be kept [MB].
+    """
+
+    def __init__(self, terrain, window, middle_row, memory_mb):
+        self.shape, self._terrain = terrain.shape, terrain
+        end = window.row + window.rows
+        count = int(memory_mb * 1e6 / (4 * max(window.cols, 1)))
+        self.whole = count >= window.rows
+        first = window.row
+        if not self.whole:  # whole strips, so that each strip is read from one place
+            count = count // STRIP_ROWS * STRIP_ROWS
+            first = max(int(middle_row - count / 2) // STRIP_ROWS * STRIP_ROWS, first)
+            first = max(min(first, -(-end // STRIP_ROWS) * STRIP_ROWS - count), window.row)
+        self._kept = Window(first, window.col, min(count, end - first), window.cols)
+        self._cells = np.empty((self._kept.rows, self._kept.cols), np.float32)
+        self._known = np.zeros(self._kept.rows, bool)
 
     def read(self, window):
-        """See `Terrain.read`; a view, not to be written to."""
-        row, col = window.row - self._window.row, window.col - self._window.col
-        return self._cells[row : row + window.rows, col : col + window.cols]
+        """See `Terrain.read`; may be a view, not to be written to."""
+        kept = self._kept
+        row, col = window.row - kept.row, window.col - kept.col
+        rows, cols = slice(row, row + window.rows), slice(col, col + window.cols)
+        if row < 0 or col < 0 or rows.stop > kept.rows or cols.stop > kept.cols:
+            return self._terrain.read(window)
+        if not self._known[rows].all():
+            whole_rows = Window(window.row, kept.col, window.rows, kept.cols)
+            self._cells[rows] = self._terrain.read(whole_rows)
+            self._known[rows] = True
+        return self._cells[rows, cols]

@@ -13,8 +13,8 @@ from .progress import SILENT, checkpoint
 BULGE = 5e-4
 """Samples between those on grid lines are tried where the best of these comes this near to the floor [tangent]."""
 
-BATCH = 2048
-"""Intervals sampled at once: a few hundred thousand samples stay in the processor's cache."""
+BATCH = 1024
+"""Intervals sampled at once: some ten thousand samples stay in the processor's cache."""
 
 
 @dataclass(frozen=True, eq=False)

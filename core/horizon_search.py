@@ -9,7 +9,7 @@ import numpy as np
 from .horizon_refine import search_intervals
 from .progress import SILENT, checkpoint, subtask
 
-CHUNK_PAIRS = 100_000
+CHUNK_PAIRS = 30_000
 """(Ray, interval) pairs whose bounds are computed at once."""
 
 NEAR_CELLS = 39
@@ -36,19 +36,20 @@ class Search:
             Where the data end [m].
         """
         bound = self._bounds(progress)
-        nearby = np.zeros(bound.shape, bool)
-        nearby[:, : max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))] = True
+        near = max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
         # The most promising intervals of the distance first: they raise the bar for all others.
-        far = np.where(nearby, np.float32(-np.inf), bound)
-        self._refine(_highest_two(far) & self._alive(far), bound, subtask(progress, 0.3, 0.5))
+        self._refine(_highest_two(bound, near) & (bound > -np.inf), bound, subtask(progress, 0.3, 0.5))
         # Close by, a cell's curved surface can stand well above all its crossings: look there twice as closely.
         close = replace(self.sight, lines_per_cell=2 * self.sight.lines_per_cell)
-        self._refine(nearby & self._alive(bound), bound, subtask(progress, 0.5, 0.6), close)
+        nearby = self._alive(bound)
+        nearby[:, near:] = False
+        self._refine(nearby, bound, subtask(progress, 0.5, 0.6), close)
         self._refine(self._alive(bound), bound, subtask(progress, 0.6, 0.9))
         return (self.tangent, self.distance, *self._voids(progress))
 
     def _alive(self, bound):
-        return (bound > (self.tangent + 1e-7)[:, None]) & (bound > -np.inf)
+        least = np.maximum(self.tangent + 1e-7, -1e30)  # what is known to be empty has a bound of -inf
+        return bound > np.nextafter(least.astype(np.float32), np.float32(-np.inf))[:, None]
 
     def _bounds(self, progress):
         """(A, N) float32 upper bounds of the tangent; -inf where there is nothing to see."""
@@ -86,7 +87,7 @@ class Search:
             self.whole,
             progress,
         )
-        bound[chosen] = -np.inf
+        bound[ray, interval] = -np.inf
         if len(ray) == 0:
             return
         order = np.lexsort((tangent, ray))
@@ -130,14 +131,17 @@ class Search:
         return void, known_m
 
 
-def _highest_two(bound):
-    """Mask of the two highest values in each row."""
+def _highest_two(bound, start):
+    """Mask of the two highest values in each row, from a column on."""
     chosen, row = np.zeros(bound.shape, bool), np.arange(len(bound))
-    first = bound.argmax(axis=1)
+    if start >= bound.shape[1]:
+        return chosen
+    first = start + bound[:, start:].argmax(axis=1)
     kept = bound[row, first]
     bound[row, first] = -np.inf
-    chosen[row, first] = chosen[row, bound.argmax(axis=1)] = True
+    second = start + bound[:, start:].argmax(axis=1)
     bound[row, first] = kept
+    chosen[row, first] = chosen[row, second] = True
     return chosen
 
 

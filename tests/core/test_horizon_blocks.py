@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 from skyline_viewshed.core.horizon_blocks import HeldTerrain, aligned, block_maxima
-from skyline_viewshed.core.progress import SILENT
 from skyline_viewshed.core.terrain import ArrayTerrain, Window
 
 
@@ -31,8 +30,27 @@ def test_windows_grow_to_whole_blocks_and_stay_inside():
     assert aligned(Window(-3, -9, 20, 20), 8, (100, 100)) == Window(0, 0, 17, 11)
 
 
-def test_held_terrain_serves_what_was_read_once():
+class Counted(ArrayTerrain):
+    """A terrain that counts the cells read."""
+
+    cells_read = 0
+
+    def read(self, window):
+        object.__setattr__(self, "cells_read", self.cells_read + window.rows * window.cols)
+        return super().read(window)
+
+
+@pytest.mark.parametrize("middle_row", [0.0, 640.0, 1150.0])
+@pytest.mark.parametrize("memory_mb, kept_rows", [(1.0, 1050), (0.05, 512), (0.0, 0)])
+def test_held_terrain_is_the_terrain_and_reads_what_it_keeps_once(memory_mb, kept_rows, middle_row):
     ground = np.arange(1200 * 30, dtype=np.float32).reshape(1200, 30)
-    held = HeldTerrain(ArrayTerrain(ground, 1.0), Window(100, 5, 1050, 20), SILENT)
-    assert np.array_equal(held.read(Window(600, 8, 30, 10)), ground[600:630, 8:18])
+    terrain, window = Counted(ground, 1.0), Window(104, 8, 1050, 20)
+    held = HeldTerrain(terrain, window, middle_row, memory_mb)
     assert held.shape == ground.shape
+    assert held.whole == (kept_rows == 1050)
+    block_maxima(held, window, 8)
+    assert terrain.cells_read == 1050 * 20
+    for row in range(104, 1144, 10):
+        assert np.array_equal(held.read(Window(row, 9, 10, 10)), ground[row : row + 10, 9:19])
+    again = (terrain.cells_read - 1050 * 20) / 10
+    assert 1050 - kept_rows - 20 <= again <= 1050 - min(kept_rows, 250) + 20, "rows read a second time"
