@@ -69,9 +69,29 @@ SENTENCES = (
     mark("The DEM {a} cannot be placed. {b}"),
     mark("The DEM {a} is damaged ({b}). Copy it again."),
     mark("Band {a} of the DEM {b} has no valid cell. Choose another DEM."),
+    mark("The file {a} cannot be written: {b}. Choose another folder or free some space."),
+    mark("nothing was written"),
     mark("The photo {a} cannot be written: name it .jpg or .heic."),
     mark("The photo {a} cannot be written: {b}. Choose another folder or free some space."),
     mark("Landmark {a} is met to within {b}."),
+    mark("{a} pixels"),
+    mark("{a} degrees"),
+    mark("The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used."),
+    mark("above"),
+    mark("below"),
+    mark(
+        "In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would "
+        "make the heading surer."
+    ),
+    mark(
+        "Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or "
+        "supply a sky mask or a drawn skyline."
+    ),
+    mark("The DEM has no terrain around this position. Use a DEM that reaches farther."),
+    mark(
+        "A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky "
+        "mask or a drawn skyline."
+    ),
     mark("The paper's method does not test its answer: compare the overlay, or use the robust method."),
     mark("The skyline or the DEM's horizon is a straight line, which cannot be matched."),
     mark("The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."),

@@ -83,13 +83,14 @@ def write_coverage(algorithm, parameters, context, coverage, dem, feedback):
     count = np.where(coverage.area, coverage.count, COUNT_NODATA).astype(np.uint16)
     count[np.isnan(dem.read(coverage.window)) & (coverage.count == 0)] = COUNT_NODATA
     facts = {"CONTENT": "number of photographs that see the cell", "PHOTOS": len(coverage.names)}
-    write_raster(path, count, dem, coverage.window, nodata=COUNT_NODATA, descriptions=["photographs"], metadata=facts)
+    names = [tr("photographs that see the cell")]
+    write_raster(path, count, dem, coverage.window, nodata=COUNT_NODATA, descriptions=names, metadata=facts)
     style_on_completion(context, path, "viewshed", tr("Number of photos"), (), algorithm.displayName())
     if parameters.get("GSD") is None:
         return path, None
     gsd = algorithm.parameterAsOutputLayer(parameters, "GSD", context)
     make_folder_of(gsd)
-    names = ["metres per pixel across the view, best photo"]
+    names = [tr("metres per pixel across the view, best photo")]
     write_raster(gsd, coverage.best_gsd_m, dem, coverage.window, nodata=float("nan"), descriptions=names)
     style_on_completion(context, gsd, "gsd", tr("Best ground sampling distance"), (), algorithm.displayName())
     return path, gsd

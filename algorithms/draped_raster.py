@@ -49,14 +49,14 @@ def write_draped(path, gsd_path, mosaic, dem, feedback):
     progress, cells = FeedbackProgress(feedback), 0
     with ExitStack() as stack:
         make_folder_of(path)
-        names = ["red", "green", "blue", "opacity"]
+        names = [tr("red"), tr("green"), tr("blue"), tr("opacity")]
         colour = stack.enter_context(
             new_raster(path, grid, window, dtype="uint8", bands=4, descriptions=names, alpha=True)
         )
         distance = None
         if gsd_path:
             make_folder_of(gsd_path)
-            names = ["metres per pixel across the view", "metres per pixel along the view"]
+            names = [tr("metres per pixel across the view"), tr("metres per pixel along the view")]
             distance = stack.enter_context(
                 new_raster(gsd_path, grid, window, bands=2, nodata=float("nan"), descriptions=names)
             )

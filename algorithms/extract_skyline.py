@@ -13,9 +13,10 @@ from . import parameters as shared
 from .base import SkylineAlgorithm
 from .feedback import FeedbackProgress, announce, warn
 from .fields import FieldSpec, qgis_fields
-from .i18n import tr
+from .i18n import marked, tr
 from .layers import read_points
 from .outputs import write_features
+from .picture_files import write_whole
 from .styling import style_on_completion
 
 PREVIEW_PX = 1600
@@ -134,11 +135,8 @@ def write_overlay(found, folder):
     from ..core.draw_raster import encode_png
     from ..core.figures_overlay import overlay_image
 
-    Path(folder).mkdir(parents=True, exist_ok=True)
     target = Path(folder) / f"{Path(found.path).stem}.png"
-    part = target.with_suffix(".part")
-    part.write_bytes(encode_png(overlay_image(found, PREVIEW_PX)))
-    part.replace(target)
+    write_whole(target, encode_png(overlay_image(found, PREVIEW_PX, say=marked)))
 
 
 def skyline_specs():

@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import ExitStack
 from datetime import datetime
 
+from .core_sentences import in_users_language
+from .i18n import marked
 from .outputs import make_folder_of
 from .reporting import facts_of, software
 
@@ -31,7 +33,12 @@ class HorizonReport:
 
             make_folder_of(self.path)
             writer = HorizonReportWriter(
-                ReportFile(self.path), self.title, self.facts, software=self.software, created=datetime.now()
+                ReportFile(self.path),
+                self.title,
+                self.facts,
+                software=self.software,
+                created=datetime.now(),
+                say=marked,
             )
             self._writer = self._stack.enter_context(writer)
         return self
@@ -47,7 +54,7 @@ class HorizonReport:
     def add_failed(self, row, message):
         """Append a point that has no horizon."""
         if self._writer is not None:
-            self._writer.add_failed(row.name, message)
+            self._writer.add_failed(row.name, in_users_language(message))
 
     def outputs(self):
         """Give the output's name and path."""

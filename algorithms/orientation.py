@@ -11,7 +11,7 @@ from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .fields import joined_fields, number_or_none
-from .i18n import tr
+from .i18n import marked, tr
 from .oriented import oriented_specs, oriented_values
 from .rescue import Rescue
 
@@ -160,5 +160,7 @@ def oriented_fields(source):
 
 def summary(statuses):
     """Counts by status, in a sentence."""
-    parts = [f"{statuses.count(status)} {status}" for status in ("accepted", "ambiguous", "rejected", "failed")]
+    from ..core.report_facts import STATUSES, status_word
+
+    parts = [f"{statuses.count(status)} {status_word(status, marked)}" for status in STATUSES]
     return tr("{count} photos: {parts}.").format(count=len(statuses), parts=", ".join(parts))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..core.camera import Camera, Pose, focal_of_fov_px
 from .fields import is_null
-from .i18n import tr
+from .i18n import marked, tr
 from .layers import read_points
 from .picture_files import PictureFolder, write_whole
 from .views import value_of
@@ -49,8 +49,9 @@ class PanoramaFolder:
             self.terrain, observer, Camera(1, 1, 1.0), Pose(0.0), options.max_distance_m,
             options.refraction_coefficient,
         )  # fmt: skip
-        drawing = lay_out_panorama(panorama, self._labels(view, options), self._frames(view), **self._layout)
-        self.path.mkdir(parents=True, exist_ok=True)
+        drawing = lay_out_panorama(
+            panorama, self._labels(view, options), self._frames(view), **self._layout, say=marked
+        )
         stem = self._names.stem(f"{tr('panorama')}_{row.feature.id()}.png")
         write_whole(self.path / f"{stem}.png", encode_png(panorama_pixels(drawing), quickly=True))
         write_whole(self.path / f"{stem}.svg", panorama_svg(drawing, row.name))

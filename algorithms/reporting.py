@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
 from qgis.core import Qgis
 
-from .i18n import tr
+from .core_sentences import in_users_language
+from .i18n import marked, tr
 from .outputs import make_folder_of
 
 
@@ -43,6 +45,7 @@ class PhotoReport:
                 software=self.software,
                 created=datetime.now(),
                 expected_photos=self.expected,
+                say=marked,
             )
             self._writer = self._stack.enter_context(writer)
         return self
@@ -53,11 +56,18 @@ class PhotoReport:
     def add(self, oriented, extras=None, panels=None):
         """Append the card of one photo."""
         if self._writer is not None:
-            self._writer.add(oriented, extras, panels)
+            self._writer.add(in_readers_language(oriented), extras, panels)
 
     def outputs(self):
         """Give the output's name and path."""
         return {"REPORT": self.path} if self.path else {}
+
+
+def in_readers_language(oriented):
+    """The photo with what the core says about it translated."""
+    answer = oriented.orientation
+    notes = tuple(map(in_users_language, answer.notes))
+    return replace(oriented, orientation=replace(answer, message=in_users_language(answer.message), notes=notes))
 
 
 def software(algorithm):

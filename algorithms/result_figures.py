@@ -11,7 +11,7 @@ from ..core.errors import MissingPackageError, OutputError, PhotoError
 from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, number_or_none
-from .i18n import tr
+from .i18n import marked, tr
 from .picture_files import PictureFolder, write_whole
 
 HEIGHT_PX = 480
@@ -105,9 +105,8 @@ class ResultFigures:
         from ..core.figures_panels import three_panels
 
         try:
-            panels = three_panels(
-                self._photo(sight) if pixels is None else pixels, self._map(sight, viewshed), HEIGHT_PX
-            )
+            photo = self._photo(sight) if pixels is None else pixels
+            panels = three_panels(photo, self._map(sight, viewshed), HEIGHT_PX, say=marked)
             if self.files.folder is not None:
                 self._write(sight, encode_png(panels, quickly=True))
             return panels

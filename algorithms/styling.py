@@ -7,6 +7,8 @@ from pathlib import Path
 
 from qgis.core import QgsProcessingLayerPostProcessorInterface
 
+from .legends import translate_legend
+
 STYLES = Path(__file__).resolve().parent.parent / "styles"
 
 MOST_ALIVE = 200
@@ -29,6 +31,7 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
             message, loaded = layer.loadNamedStyle(str(style))
             if not loaded:
                 feedback.pushWarning(message)
+            translate_legend(layer)
         for spec in self.specs:
             index = layer.fields().lookupField(spec.name)
             if index >= 0:

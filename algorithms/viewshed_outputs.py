@@ -47,7 +47,7 @@ class ViewshedOutputs:
             return None
         make_folder_of(path)
         facts = {"CONTENT": "number of photographs that see the cell", "PHOTOS": self.count.photos}
-        description = ["photographs that see the cell"]
+        description = [tr("photographs that see the cell")]
         with new_raster(
             path, self.dem, dtype="uint16", nodata=COUNT_NODATA, descriptions=description, metadata=facts
         ) as file:

@@ -1,4 +1,8 @@
-"""Text from the world outside, made harmless and legible before it enters a figure or a page."""
+"""Text from the world outside, made harmless and legible before it enters a figure or a page.
+
+The fixed words of figures and pages are English literals inside `say(...)`, where they are used. `say` is handed down
+by the caller: a shell passes a function that gives each in the reader's language, `str` leaves them English.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,6 @@ LONGEST_TEXT = 400
 MOST_MARKS = 4
 """Combining marks kept in a row; more than that would paint over the neighbouring lines."""
 
-_POINTS = ("N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW")
 _DIRECTION_MARKS = {0x061C, 0x200E, 0x200F, *range(0x202A, 0x202F), *range(0x2066, 0x206A)}
 
 
@@ -46,9 +49,10 @@ def escape(text, longest=LONGEST_TEXT):
     return html.escape(plain(text, longest), quote=True)
 
 
-def compass_point(azimuth_deg):
+def compass_point(azimuth_deg, say=str):
     """Name of the nearest of the sixteen compass points, 'N' to 'NNW', for an azimuth [degrees]."""
-    return _POINTS[round(azimuth_deg / 22.5) % 16]
+    points = say("N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW").split()
+    return points[round(azimuth_deg / 22.5) % 16]
 
 
 def degrees(angle_deg, decimals=1, signed=False):

@@ -24,7 +24,7 @@ EVIDENCE_FULL = 0.15
 """Probability per row at which the tint is full; a sharp boundary has several times as much on its row."""
 
 
-def overlay_image(photo, width_px=1280, evidence=True, legend=True):
+def overlay_image(photo, width_px=1280, evidence=True, legend=True, say=str):
     """Draw everything known about a photograph's skyline over its picture.
 
     Parameters
@@ -37,6 +37,8 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True):
         Tint the rows where the boundary may lie.
     legend : bool
         Write what the colours mean, with the headings.
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -61,7 +63,7 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True):
     if not horizons and extracted is not None:
         _draw(pixels, extracted, scale, EXTRACTED, 3 * unit, casing=1.2 * unit)
     if legend:
-        _legend(pixels, photo, extracted is not None, len(horizons), unit)
+        _legend(pixels, photo, extracted is not None, len(horizons), unit, say)
     return pixels
 
 
@@ -148,13 +150,13 @@ def _svg_line(line, key, class_, factor):
     return element("g", "".join(parts), class_=class_) if parts else ""
 
 
-def _legend(pixels, photo, has_extracted, horizons, unit):
+def _legend(pixels, photo, has_extracted, horizons, unit, say):
     size, entries = 17 * unit, []
     if has_extracted:
-        entries.append((EXTRACTED, "extracted skyline"))
+        entries.append((EXTRACTED, say("extracted skyline")))
     for rank in range(horizons):
         heading = azimuth(photo.orientation.candidates[rank].pose.heading_deg)
-        words = f"DEM horizon at {heading}" if rank == 0 else f"{rank + 1}: {heading}"
+        words = say("DEM horizon at {heading}").format(heading=heading) if rank == 0 else f"{rank + 1}: {heading}"
         entries.append((BEST if rank == 0 else ALTERNATIVES[rank - 1], words))
     at, base = 16 * unit, pixels.shape[0] - 14 * unit
     for colour, words in entries:

@@ -14,7 +14,7 @@ GAP_PX = 10
 PAPER = (255, 255, 255)
 
 
-def three_panels(photo, data, height_px=560, captions=True):
+def three_panels(photo, data, height_px=560, captions=True, say=str):
     """Draw photograph, wedge on the grey elevation model, and viewshed on shaded relief side by side.
 
     Parameters
@@ -27,6 +27,8 @@ def three_panels(photo, data, height_px=560, captions=True):
         Of the figure [pixels].
     captions : bool
         Write a letter and a word into each panel.
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -36,15 +38,15 @@ def three_panels(photo, data, height_px=560, captions=True):
     map_px = round(height_px * east_m / south_m)
     plain = replace(data, seen=None, track_px=None, observers=data.observers[:1])
     heading = data.observers[0].heading_deg if data.observers else None
-    wedge_words = "view" if heading is None else f"heading {azimuth(heading)}"
+    wedge_words = say("view") if heading is None else f"{say('heading')} {azimuth(heading)}"
     panels = [
         (map_image(plain, map_px, "grey", wedge_reach_m=2 * max(east_m, south_m)), wedge_words),
-        (map_image(data, map_px, "hillshade", wedges=False), "viewshed"),
+        (map_image(data, map_px, "hillshade", wedges=False), say("viewshed")),
     ]
     if photo is not None:
         photo = np.asarray(photo)[..., :3]
         width_px = round(height_px * photo.shape[1] / photo.shape[0])
-        panels.insert(0, (resized(photo, width_px, height_px).copy(), "photograph"))
+        panels.insert(0, (resized(photo, width_px, height_px).copy(), say("photograph")))
     gap = np.full((height_px, GAP_PX, 3), PAPER, np.uint8)
     drawn = []
     for letter, (pixels, words) in zip("abc", panels):

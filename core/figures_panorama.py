@@ -54,7 +54,14 @@ class PanoramaDrawing:
 
 
 def lay_out_panorama(
-    panorama, labels=(), frames=(), left_deg=0.0, pixels_per_degree=20.0, exaggeration=1.0, label_room_px=170.0
+    panorama,
+    labels=(),
+    frames=(),
+    left_deg=0.0,
+    pixels_per_degree=20.0,
+    exaggeration=1.0,
+    label_room_px=170.0,
+    say=str,
 ):
     """Place outlines, names and photo frames on the strip.
 
@@ -71,6 +78,8 @@ def lay_out_panorama(
         Of heights over widths.
     label_room_px : float
         Sky kept above the highest outline for names.
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -92,7 +101,7 @@ def lay_out_panorama(
     options = LabelOptions(line_px=17, gap_px=3, lead_px=16, longest_lead_px=label_room_px + 80)
     placed = lay_out_labels(x, y, widths, (width, height - 34), options)
     ticks = tuple(
-        (float(np.mod(a - left_deg, 360) * pixels_per_degree), f"{a}\u00b0" if a % 45 else compass_point(a))
+        (float(np.mod(a - left_deg, 360) * pixels_per_degree), f"{a}\u00b0" if a % 45 else compass_point(a, say))
         for a in range(0, 360, 15)
     )
     words = tuple(label.words for label in labels)
@@ -114,7 +123,7 @@ def _unbroken(x, y):
 
 
 def panorama_svg(drawing, title="panorama"):
-    """Write the drawing as a complete SVG file."""
+    """Write the drawing as a complete SVG file with a title in the reader's language."""
     width, height = drawing.width, drawing.height
     parts = [element("rect", width=width, height=height, fill=_hex(SKY)), element("title", escape(title))]
     level = polyline_path([0, width], [drawing.level_y] * 2)

@@ -26,7 +26,7 @@ PROFILE_STEP_DEG = 0.5
 RESIDUAL_POINTS = 400
 
 
-def horizon_profile_svg(horizon, heading_deg=None, hfov_deg=None, width=900, height=210):
+def horizon_profile_svg(horizon, heading_deg=None, hfov_deg=None, width=900, height=210, say=str):
     """Draw the horizon's elevation angle over all azimuths, coloured by its distance.
 
     Parameters
@@ -36,6 +36,8 @@ def horizon_profile_svg(horizon, heading_deg=None, hfov_deg=None, width=900, hei
         True heading and horizontal field of view of a photo whose span is to be marked [degrees].
     width, height : float
         Of the drawing [px].
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -45,22 +47,22 @@ def horizon_profile_svg(horizon, heading_deg=None, hfov_deg=None, width=900, hei
     """
     azimuths, elevations, distances, clipped, void = _stepped(horizon)
     if not np.isfinite(elevations).any():
-        words = "The DEM has no horizon here."
-        return figure(width, height, "Horizon", words, text(width / 2, height / 2, words, "name", "middle"))
+        words = say("The DEM has no horizon here.")
+        return figure(width, height, say("Horizon"), words, text(width / 2, height / 2, words, "name", "middle"))
     low = min(float(np.nanmin(elevations)), 0.0) - 0.5
     high = max(float(np.nanmax(elevations)) * 1.08, low + 3)
     x, y = Scale(0, 360, 44, width - 26), Scale(low, high, height - 54, 12)
-    parts = [_angle_axis(x, y), *_distance_areas(azimuths, elevations, distances, x, y)]
+    parts = [_angle_axis(x, y, say), *_distance_areas(azimuths, elevations, distances, x, y)]
     for mask, class_ in ((clipped, "clipped"), (void | ~np.isfinite(elevations), "unknown")):
         for first, last in _runs(mask):
             start, stop = float(x(first * PROFILE_STEP_DEG)), float(x((last + 1) * PROFILE_STEP_DEG))
             parts.append(element("rect", x=start, y=y.stop, width=stop - start, height=y.start - y.stop, class_=class_))
     parts.append(element("path", d=polyline_path(x(azimuths), y(elevations)), class_="horizon"))
-    parts += [_azimuth_axis(x, y), *_view_span(heading_deg, hfov_deg, x, y), *_distance_key(x, height)]
-    return figure(width, height, "Horizon of the DEM over all azimuths", _profile_in_words(horizon), *parts)
+    parts += [_azimuth_axis(x, y, say), *_view_span(heading_deg, hfov_deg, x, y), *_distance_key(x, height, say)]
+    return figure(width, height, say("Horizon of the DEM over all azimuths"), _profile_in_words(horizon, say), *parts)
 
 
-def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420, height=190):
+def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420, height=190, say=str):
     """Draw the image skyline minus the projected DEM horizon along the picture's columns.
 
     Parameters
@@ -73,6 +75,8 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
         In the middle of the full picture; with it a second axis shows degrees.
     width, height : float
         Of the drawing [px].
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -81,9 +85,9 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
     """
     residual = np.asarray(residual_px, float).ravel()
     known = np.isfinite(residual)
-    title = "Image skyline against DEM horizon"
+    title = say("Image skyline against DEM horizon")
     if not known.any():
-        words = "No column of the picture was compared with the DEM."
+        words = say("No column of the picture was compared with the DEM.")
         return figure(width, height, title, words, text(width / 2, height / 2, words, "name", "middle"))
     size = np.abs(residual[known])  # a run of wild columns may leave the frame, for the others to be seen
     half = max(1.4 * float(np.percentile(size, 90)), 4 * float(np.median(size)), 0.004 * (height_px or 0), 2.0)
@@ -91,31 +95,32 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
     y = Scale(half, -half, height - 34, 24)
     across, values = _bundled(residual)
     ys = np.clip(y(values), y.stop, y.start)
-    parts = [text(4, 13, "Skyline above DEM [px]"), *_residual_axes(half, pixels_per_degree, x, y)]
+    parts = [text(4, 13, say("Skyline above DEM [px]")), *_residual_axes(half, pixels_per_degree, x, y)]
     parts.append(element("path", d=area_path(x(across), ys, float(y(0))), class_="residual-fill"))
     parts.append(line(x.start, float(y(0)), x.stop, float(y(0)), "zero"))
     parts.append(element("path", d=polyline_path(x(across), ys), class_="residual"))
-    words = residuals_in_words(residual, height_px, pixels_per_degree)
-    parts += [line(x.start, y.start, x.stop, y.start, "axis"), text(x.start, y.start + 16, "left")]
-    parts.append(text(x.stop, y.start + 16, "right", anchor="end"))
-    short = residuals_in_words(residual, None, pixels_per_degree)
+    words = residuals_in_words(residual, height_px, pixels_per_degree, say)
+    parts += [line(x.start, y.start, x.stop, y.start, "axis"), text(x.start, y.start + 16, say("left"))]
+    parts.append(text(x.stop, y.start + 16, say("right"), anchor="end"))
+    short = residuals_in_words(residual, None, pixels_per_degree, say)
     parts.append(text((x.start + x.stop) / 2, y.start + 16, short, "name", "middle"))
-    return figure(width, height, title, f"Residuals along the columns: {words}.", *parts)
+    return figure(width, height, title, say("Residuals along the columns: {words}.").format(words=words), *parts)
 
 
-def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None):
+def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None, say=str):
     """Say how large the residuals are: median of the absolute values, and the share of columns compared."""
     residual = np.asarray(residual_px, float).ravel()
     known = np.isfinite(residual)
     if not known.any():
-        return "no column compared"
+        return say("no column compared")
     median = float(np.median(np.abs(residual[known])))
-    said = [f"median {with_unit(median, 'px', 1)}"]
+    said = [say("median {value}").format(value=with_unit(median, "px", 1))]
     if is_known(pixels_per_degree):
         said.append(with_unit(median / pixels_per_degree, "°", 2, space=""))
     if height_px:
-        said.append(f"{100 * median / height_px:.2f} % of the height")
-    return f"{' = '.join(said)}; {100 * known.mean():.0f} % of columns"
+        said.append(say("{share} % of the height").format(share=f"{100 * median / height_px:.2f}"))
+    compared = say("{share} % of columns").format(share=f"{100 * known.mean():.0f}")
+    return f"{' = '.join(said)}; {compared}"
 
 
 def _stepped(horizon):
@@ -155,8 +160,8 @@ def _distance_areas(azimuths, elevations, distances, x, y):
     return [element("path", d=path, class_=f"far{index}") for index, path in enumerate(paths) if path]
 
 
-def _angle_axis(x, y):
-    parts = [text(4, 10, "Elevation angle")]
+def _angle_axis(x, y, say):
+    parts = [text(4, 10, say("Elevation angle"))]
     for value in ticks(y.low, y.high, 4):
         at = float(y(value))
         class_ = "axis" if value == 0 else "grid"
@@ -164,12 +169,12 @@ def _angle_axis(x, y):
     return "".join(parts)
 
 
-def _azimuth_axis(x, y):
+def _azimuth_axis(x, y, say):
     parts = [line(x.start, y.start, x.stop, y.start, "axis")]
     for value in range(0, 361, 45):
         at = float(x(value))
         parts += [line(at, y.start, at, y.start + 4, "axis")]
-        parts.append(text(at, y.start + 16, f"{compass_point(value)} {value}°", "name", "middle"))
+        parts.append(text(at, y.start + 16, f"{compass_point(value, say)} {value}°", "name", "middle"))
     return "".join(parts)
 
 
@@ -185,18 +190,21 @@ def _view_span(heading_deg, hfov_deg, x, y):
     return [*parts, line(at, y.stop, at, y.start, "best"), text(at + 5, y.stop + 10, azimuth(heading_deg), "name-best")]
 
 
-def _distance_key(x, height):
-    parts, at = [text(x.start, height - 10, "Distance")], x.start + 58
+def _distance_key(x, height, say):
+    title = say("Distance")
+    parts, at = [text(x.start, height - 10, title)], x.start + 10 + 6 * len(title)
     steps = [f"{metres / 1000:g}" for metres in DISTANCE_STEPS_M]
     bounds = [f"<{steps[0]}", *(f"{near}–{far}" for near, far in zip(steps, steps[1:])), f">{steps[-1]} km"]
     for index, words in enumerate(bounds):
         parts.append(element("rect", x=at, y=height - 20, width=16, height=11, class_=f"far{index}"))
         parts.append(text(at + 20, height - 10, words))
         at += 36 + 6.2 * len(words)
+    words = say("cut by the DEM's edge")
     parts.append(element("rect", x=at, y=height - 20, width=16, height=11, class_="clipped"))
-    parts.append(text(at + 20, height - 10, "cut by the DEM's edge"))
-    parts.append(element("rect", x=at + 152, y=height - 20, width=16, height=11, class_="unknown"))
-    parts.append(text(at + 172, height - 10, "void"))
+    parts.append(text(at + 20, height - 10, words))
+    at += 36 + 5.5 * len(words)
+    parts.append(element("rect", x=at, y=height - 20, width=16, height=11, class_="unknown"))
+    parts.append(text(at + 20, height - 10, say("void")))
     return parts
 
 
@@ -237,12 +245,16 @@ def _runs_of_equal(values):
     return list(zip(starts.tolist(), (np.r_[starts[1:], len(values)] - 1).tolist()))
 
 
-def _profile_in_words(horizon):
+def _profile_in_words(horizon, say):
     elevation = np.asarray(horizon.elevation_deg, float)
     highest = int(np.nanargmax(elevation))
-    return (
-        f"The horizon is highest at azimuth {azimuth(horizon.azimuth_deg[highest])} with "
-        f"{elevation[highest]:.1f} degrees, {with_unit(horizon.distance_m[highest] / 1000, 'km', 1)} away; "
-        f"its median is {np.nanmedian(elevation):.1f} degrees. "
-        f"In {100 * np.mean(horizon.clipped):.0f} % of the directions the DEM ends too early."
+    return say(
+        "The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} "
+        "degrees. In {share} % of the directions the DEM ends too early."
+    ).format(
+        azimuth=azimuth(horizon.azimuth_deg[highest]),
+        angle=f"{elevation[highest]:.1f}",
+        distance=with_unit(horizon.distance_m[highest] / 1000, "km", 1),
+        median=f"{np.nanmedian(elevation):.1f}",
+        share=f"{100 * np.mean(horizon.clipped):.0f}",
     )

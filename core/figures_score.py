@@ -24,7 +24,7 @@ MOST_POINTS = 720
 """Points drawn of a curve: half a degree each. Finer curves keep the highest value of each half degree."""
 
 
-def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", width=620, height=190):
+def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", width=620, height=190, say=str):
     """Draw the score over all headings, with the answer, its interval, the alternatives and the compass.
 
     Parameters
@@ -34,9 +34,11 @@ def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", widt
     compass_true_deg : float or None
         Recorded heading, turned to true north [degrees].
     score_name : str
-        What the vertical axis shows, 'NCC' or 'Score'.
+        What the vertical axis shows, 'NCC' or 'Score', in the reader's language.
     width, height : float
         Of the drawing [px].
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -46,22 +48,23 @@ def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", widt
     headings, scores = _thinned(orientation)
     x = Scale(0, 360, 44, width - 16)
     if not len(headings):
-        return _empty(width, height, "Score over all headings", "No heading was scored.")
+        return _empty(width, height, say("Score over all headings"), say("No heading was scored."))
     low, high = _range(scores)
     y = Scale(low, high, height - 34, 24)
-    parts = [_frame(x, y, low, high, score_name)]
+    parts = [_frame(x, y, low, high, score_name, say)]
     parts += _interval(orientation, x, y)
     xs, ys = x(headings), y(scores)
     parts.append(element("path", d=area_path(xs, ys, float(y(low))), class_="curve under"))
     if is_known(compass_true_deg):
         at = float(x(wrap_360(compass_true_deg)))
         parts.append(line(at, y.stop, at, y.start, "compass"))
-        parts.append(text(*_beside(at, y.start - 5, width), class_="name-compass", words="compass"))
-    parts += _candidate_marks(orientation, headings, scores, x, y, width)
-    return figure(width, height, f"{score_name} over all headings", _in_words(orientation, compass_true_deg), *parts)
+        parts.append(text(*_beside(at, y.start - 5, width), class_="name-compass", words=say("compass")))
+    parts += _candidate_marks(orientation, headings, scores, x, y, width, say)
+    title = say("{score} over all headings").format(score=score_name)
+    return figure(width, height, title, _in_words(orientation, compass_true_deg, say), *parts)
 
 
-def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220):
+def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220, say=str):
     """Draw the score as a rose, north up: what the curve shows, as a person on the spot would point.
 
     Parameters
@@ -73,6 +76,8 @@ def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220):
         Horizontal field of view, drawn as the wedge that the photo shows [degrees].
     size : float
         Side of the drawing [px].
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -82,10 +87,10 @@ def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220):
     centre, rim = size / 2, size / 2 - 17
     parts = [element("circle", cx=centre, cy=centre, r=rim * share, class_="grid") for share in (1 / 3, 2 / 3)]
     parts.append(element("circle", cx=centre, cy=centre, r=rim, class_="axis"))
-    for name, at in (("N", 0), ("E", 90), ("S", 180), ("W", 270)):
+    for at in (0, 90, 180, 270):
         parts.append(line(*on_circle(centre, centre, rim, at), *on_circle(centre, centre, rim - 5, at), "axis"))
         label_x, label_y = on_circle(centre, centre, rim + 9, at)
-        parts.append(text(label_x, label_y + 4, name, "strong" if name == "N" else "label", "middle"))
+        parts.append(text(label_x, label_y + 4, compass_point(at, say), "label" if at else "strong", "middle"))
     best = orientation.best
     if best is not None and is_known(hfov_deg):
         wedge = sector_path(centre, centre, 0, rim, best.pose.heading_deg - hfov_deg / 2, hfov_deg)
@@ -98,7 +103,9 @@ def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220):
         parts.append(line(centre, centre, *tip, "best" if rank == 0 else "alternative"))
         mark = "mark-best" if rank == 0 else "mark-alternative"
         parts.append(element("circle", cx=tip[0], cy=tip[1], r=4.5 if rank == 0 else 3.5, class_=mark))
-    return figure(size, size, "Score by direction, north up", _in_words(orientation, compass_true_deg), *parts)
+    return figure(
+        size, size, say("Score by direction, north up"), _in_words(orientation, compass_true_deg, say), *parts
+    )
 
 
 def _thinned(orientation):
@@ -127,7 +134,7 @@ def _range(scores):
     return low - 0.04 * (high - low), high + 0.06 * (high - low)
 
 
-def _frame(x, y, low, high, score_name):
+def _frame(x, y, low, high, score_name, say):
     parts = []
     for value in ticks(low, high, 4):
         at = float(y(value))
@@ -138,7 +145,7 @@ def _frame(x, y, low, high, score_name):
     for heading in range(0, 361, 45):
         at = float(x(heading))
         parts += [line(at, y.start, at, y.start + 4, "axis")]
-        parts.append(text(at, y.start + 16, compass_point(heading), "name", "middle"))
+        parts.append(text(at, y.start + 16, compass_point(heading, say), "name", "middle"))
         parts.append(text(at, y.start + 29, f"{heading}°", anchor="middle"))
     parts += [line(x.start, y.start, x.stop, y.start, "axis"), text(4, 13, score_name)]
     return "".join(parts)
@@ -155,7 +162,7 @@ def _interval(orientation, x, y):
     ]
 
 
-def _candidate_marks(orientation, headings, scores, x, y, width):
+def _candidate_marks(orientation, headings, scores, x, y, width, say):
     parts, labels = [], []
     for rank, candidate in enumerate(orientation.candidates[:3]):
         heading = float(wrap_360(candidate.pose.heading_deg))
@@ -165,7 +172,7 @@ def _candidate_marks(orientation, headings, scores, x, y, width):
         name = "best" if rank == 0 else "alternative"
         dot = element("circle", cx=at, cy=level, r=4.5 if rank == 0 else 3.5, class_=f"mark-{name}")
         parts.append(line(at, level, at, y.start, name) + dot)
-        words = f"{azimuth(heading)} {compass_point(heading)}" if rank == 0 else f"{rank + 1}: {azimuth(heading)}"
+        words = f"{azimuth(heading)} {compass_point(heading, say)}" if rank == 0 else f"{rank + 1}: {azimuth(heading)}"
         label_x, label_y = _beside(at, max(level - 6, 12) if rank == 0 else level - 4, width)
         while any(abs(label_x - a) < 80 and abs(label_y - b) < 12 for a, b in labels):
             label_y += 12
@@ -190,16 +197,16 @@ def _petals(orientation, centre, rim):
     return [element("path", d=path, class_="curve under")]
 
 
-def _in_words(orientation, compass_true_deg):
+def _in_words(orientation, compass_true_deg, say):
     """Say what the figure shows, for those who cannot see it."""
     if orientation.best is None:
-        return "No heading was found."
+        return say("No heading was found.")
     best, *others = (azimuth(candidate.pose.heading_deg) for candidate in orientation.candidates[:3])
-    said = [f"The best heading is {best} from true north."]
+    said = [say("The best heading is {heading} from true north.").format(heading=best)]
     if others:
-        said.append(f"Alternatives are at {' and '.join(others)}.")
+        said.append(say("Alternatives are at {headings}.").format(headings=", ".join(others)))
     if is_known(compass_true_deg):
-        said.append(f"The compass recorded {azimuth(compass_true_deg)}.")
+        said.append(say("The compass recorded {heading}.").format(heading=azimuth(compass_true_deg)))
     return " ".join(said)
 
 

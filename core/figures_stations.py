@@ -41,7 +41,7 @@ class Station:
     anchor: str | None = None
 
 
-def stations_svg(stations, width=1280, height=420):
+def stations_svg(stations, width=1280, height=420, say=str):
     """Draw stations as dots with their fields of view.
 
     Parameters
@@ -49,6 +49,8 @@ def stations_svg(stations, width=1280, height=420):
     stations : sequence of Station
     width, height : float
         Of the drawing [px].
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -68,8 +70,9 @@ def stations_svg(stations, width=1280, height=420):
     marks = [_wedge(station, *place) for station, *place in zip(stations, x, y)]
     marks += [_dot(station, *place) for station, *place in zip(stations, x, y)]
     parts = [*marks, _scale_bar(px_per_m, width, height), _north(width)]
-    said = f"{len(stations)} photographs within {max(np.ptp(east_m), np.ptp(north_m)) / 1000:.1f} kilometres."
-    return figure(width, height, "Where the photographs stand and look", said, *parts)
+    extent = f"{max(np.ptp(east_m), np.ptp(north_m)) / 1000:.1f}"
+    said = say("{count} photographs within {extent} kilometres.").format(count=len(stations), extent=extent)
+    return figure(width, height, say("Where the photographs stand and look"), said, *parts)
 
 
 def _local(stations):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from .draw_text import escape
 from .figures_stations import Station, stations_svg
 from .report_card import photo_card
-from .report_facts import STATUSES, summarise
+from .report_facts import STATUSES, status_word, summarise
 from .report_overview import bar, overview_table, switches
 from .report_writer import DEFAULT_SOFTWARE, MemoryDocument, PageWriter
 
@@ -23,14 +24,24 @@ class ReportWriter(PageWriter):
 
     Parameters
     ----------
-    document, title, parameters, software, created
+    document, title, parameters, software, created, say
         As for `PageWriter`.
     expected_photos : int
         Decides how far pictures are reduced.
     """
 
-    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, expected_photos=0):
-        super().__init__(document, title, parameters, software=software, created=created)
+    def __init__(
+        self,
+        document,
+        title,
+        parameters=None,
+        *,
+        software=DEFAULT_SOFTWARE,
+        created=None,
+        expected_photos=0,
+        say=str,
+    ):
+        super().__init__(document, title, parameters, software=software, created=created, say=say)
         self._picture_px = picture_width_px(expected_photos)
         self._summaries, self._stations, self._drawn = [], [], 0
 
@@ -44,30 +55,34 @@ class ReportWriter(PageWriter):
         most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status == "accepted" else MOST_WITH_FIGURES
         figures = self._drawn < most
         self._drawn += figures
-        self._document.write(photo_card(photo, len(self._summaries), extras, self._picture_px, figures, panels))
+        number = len(self._summaries)
+        self._document.write(photo_card(photo, number, extras, self._picture_px, figures, panels, self._say))
 
     def _counts(self):
         counts = [(sum(summary.status == name for summary in self._summaries), name) for name in STATUSES]
-        return [f"{count} {name}" for count, name in counts if count]
+        return [f"{count} {status_word(name, self._say)}" for count, name in counts if count]
 
     def _frame(self):
-        return (switches(), bar(self._summaries)), overview_table(self._summaries) + self._plan(), self._left_out()
+        table = overview_table(self._summaries, self._say)
+        return (switches(), bar(self._summaries, self._say)), table + self._plan(), self._left_out()
 
     def _plan(self):
         """The plan of the stations, folded in; the first thousand of them."""
-        plan = stations_svg(self._stations[:MOST_ON_PLAN])
-        summary = "<summary>Where the photographs stand and look</summary>"
+        say = self._say
+        plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
+        summary = f"<summary>{escape(say('Where the photographs stand and look'))}</summary>"
         return f'<details class="panel">{summary}{plan}</details>' if plan else ""
 
     def _left_out(self):
         missing = len(self._summaries) - self._drawn
         if not missing:
             return ""
-        return (
-            f'<p class="panel">{missing} photographs have numbers but no figures here, to keep the page usable: a '
-            f"report draws the first {MOST_WITH_FIGURES} in full ({MOST_ACCEPTED_WITH_FIGURES} accepted ones). "
-            "Run them in smaller groups to see them all.</p>"
-        )
+        say = self._say
+        words = say(
+            "{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first "
+            "{most} in full ({accepted} accepted ones). Run them in smaller groups to see them all."
+        ).format(count=missing, most=MOST_WITH_FIGURES, accepted=MOST_ACCEPTED_WITH_FIGURES)
+        return f'<p class="panel">{escape(words, 1000)}</p>'
 
 
 def _station(photo, summary, number):
@@ -82,13 +97,13 @@ def picture_width_px(photos):
     return 1200 if photos <= 150 else 800 if photos <= 600 else 480
 
 
-def report_html(photos, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
+def report_html(photos, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
     """Write the report of a handful of photographs as one text.
 
     Parameters
     ----------
     photos : sequence of OrientedPhoto
-    title, parameters, software, created
+    title, parameters, software, created, say
         As for `PageWriter`.
 
     Returns
@@ -98,7 +113,7 @@ def report_html(photos, title, parameters=None, *, software=DEFAULT_SOFTWARE, cr
     """
     photos, document = list(photos), MemoryDocument()
     with ReportWriter(
-        document, title, parameters, software=software, created=created, expected_photos=len(photos)
+        document, title, parameters, software=software, created=created, expected_photos=len(photos), say=say
     ) as writer:
         for photo in photos:
             writer.add(photo)

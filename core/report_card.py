@@ -25,7 +25,7 @@ SPAN = 1000.0
 """Width of a picture in drawing units of its overlay."""
 
 
-def photo_card(photo, number, extras=None, picture_px=1200, figures=True, panels=None):
+def photo_card(photo, number, extras=None, picture_px=1200, figures=True, panels=None, say=str):
     """Write a card.
 
     Parameters
@@ -41,6 +41,8 @@ def photo_card(photo, number, extras=None, picture_px=1200, figures=True, panels
         Draw; else only words and numbers, for very long runs.
     panels : uint8 (h, w, 3) array or None
         Figure of where it looks and what ground it shows.
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -49,13 +51,14 @@ def photo_card(photo, number, extras=None, picture_px=1200, figures=True, panels
     """
     status = status_of(photo)
     if photo.orientation.best is None:
-        body = _body_without_answer(photo, number, picture_px if figures else 0)
+        body = _body_without_answer(photo, number, picture_px if figures else 0, say)
     else:
-        body = _judgement(photo, number, picture_px if figures else 0) + (_plots(photo) if figures else "")
+        body = _judgement(photo, number, picture_px if figures else 0, say)
+        body += _plots(photo, say) if figures else ""
     return (
-        f'<article class="card item is-{status}" id="photo-{number}"><header>{badge(status)}'
+        f'<article class="card item is-{status}" id="photo-{number}"><header>{badge(status, say)}'
         f"<h2><bdi>{escape(file_name(photo.path))}</bdi></h2>{_origin(photo)}</header>"
-        f"{body}{_ground(panels, picture_px) if figures else ''}{_more(photo, extras, figures)}</article>\n"
+        f"{body}{_ground(panels, picture_px, say) if figures else ''}{_more(photo, extras, figures, say)}</article>\n"
     )
 
 
@@ -69,63 +72,67 @@ def _origin(photo):
     return f'<span class="quiet"><bdi>{escape(" · ".join(said))}</bdi></span>' if said else ""
 
 
-def _judgement(photo, number, picture_px):
-    picture = _overlay(photo, number, picture_px) if picture_px else ""
-    return f'<div class="judge">{picture or "<div></div>"}{_answer(photo)}</div>'
+def _judgement(photo, number, picture_px, say):
+    picture = _overlay(photo, number, picture_px, say) if picture_px else ""
+    return f'<div class="judge">{picture or "<div></div>"}{_answer(photo, say)}</div>'
 
 
-def _body_without_answer(photo, number, picture_px):
+def _body_without_answer(photo, number, picture_px, say):
     advice = f'<p class="advice">{escape(photo.orientation.message, 1000)}</p>'
     notes = _notes(photo)
     if photo.preview is None or not picture_px:
         return f'<div class="failed-body">{advice}{notes}</div>'
-    overlay = _overlay(photo, number, picture_px)
+    overlay = _overlay(photo, number, picture_px, say)
     return f'<div class="judge">{overlay}<div class="answer">{advice}{notes}</div></div>'
 
 
-def _answer(photo):
+def _answer(photo, say):
     orientation, best = photo.orientation, photo.orientation.best
     heading = best.pose.heading_deg % 360
-    interval = interval_words(orientation)
-    doubt = {"rejected": " doubtful", "ambiguous": " likeliest"}.get(status_of(photo), "")
+    interval = interval_words(orientation, say)
+    status = status_of(photo)
+    doubt = {"rejected": say("best guess"), "ambiguous": say("likeliest of several")}.get(status, "")
+    remark = f' <span class="remark">{escape(doubt)}</span>' if doubt else ""
     parts = [
-        f'<div class="heading{doubt}">{azimuth(heading)} <small>{compass_point(heading)}</small></div>',
+        f'<div class="heading">{azimuth(heading)} <small>{escape(compass_point(heading, say))}</small>{remark}</div>',
         f'<div class="interval-line">90 %: {escape(interval)}</div>' if interval else "",
-        _chance(orientation.p_correct),
+        _chance(orientation.p_correct, say),
         f'<p class="advice">{escape(orientation.message, 1000)}</p>',
     ]
     compass = compass_difference_deg(photo)
     facts = [
-        ("Pitch", degrees(best.pose.pitch_deg, 1, signed=True)),
-        ("Roll", degrees(best.pose.roll_deg, 1, signed=True)),
-        ("HFOV", degrees(best.camera.hfov_deg)),
-        ("Compass − found", degrees(compass, 1, signed=True)),
-        ("Eye elevation", with_unit(photo.eye_elevation_m, "m")),
+        (say("Pitch"), degrees(best.pose.pitch_deg, 1, signed=True)),
+        (say("Roll"), degrees(best.pose.roll_deg, 1, signed=True)),
+        (say("HFOV"), degrees(best.camera.hfov_deg)),
+        (say("Compass − found"), degrees(compass, 1, signed=True)),
+        (say("Eye elevation"), with_unit(photo.eye_elevation_m, "m")),
     ]
     if is_known(orientation.ncc):
-        facts.append(("NCC", with_unit(orientation.ncc, "", 3)))
+        facts.append((say("NCC"), with_unit(orientation.ncc, "", 3)))
     listed = "".join(f"<dt>{escape(label)}</dt><dd>{escape(words)}</dd>" for label, words in facts)
-    rose = score_rose_svg(orientation, photo.compass_true_deg, best.camera.hfov_deg, size=176)
+    rose = score_rose_svg(orientation, photo.compass_true_deg, best.camera.hfov_deg, size=176, say=say)
     parts.append(f'<div class="rose-row">{rose}<dl class="facts">{listed}</dl></div>')
-    parts += [_alternatives(orientation), _notes(photo)]
+    parts += [_alternatives(orientation, say), _notes(photo)]
     return f'<div class="answer">{"".join(parts)}</div>'
 
 
-def _chance(p_correct):
+def _chance(p_correct, say):
     if not is_known(p_correct):
         return ""
+    name, words = say("probability"), say("{chance} within 3°").format(chance=percent(p_correct))
     return (
-        f'<div class="chance"><progress max="1" value="{p_correct:.4f}" aria-label="probability"></progress>'
-        f"{escape(percent(p_correct))} within 3°</div>"
+        f'<div class="chance"><progress max="1" value="{p_correct:.4f}" aria-label="{escape(name)}"></progress>'
+        f"{escape(words)}</div>"
     )
 
 
-def _alternatives(orientation):
+def _alternatives(orientation, say):
     others = []
     for rank, other in enumerate(orientation.candidates[1:3], 2):
         chance = f" ({percent(other.probability)})" if other.probability is not None else ""
         others.append(escape(f"{rank}: {azimuth(other.pose.heading_deg)}{chance}"))
-    return f'<p class="others"><b>Alternatives</b> {"; ".join(others)}</p>' if others else ""
+    title = escape(say("Alternatives"))
+    return f'<p class="others"><b>{title}</b> {"; ".join(others)}</p>' if others else ""
 
 
 def _notes(photo):
@@ -133,7 +140,7 @@ def _notes(photo):
     return f'<ul class="notes">{notes}</ul>' if notes else ""
 
 
-def _overlay(photo, number, picture_px):
+def _overlay(photo, number, picture_px, say):
     """The picture once, its lines once, and two views of both: around the skyline, and whole."""
     key = f"p{number}"
     width, height = full_size(photo)
@@ -144,7 +151,7 @@ def _overlay(photo, number, picture_px):
         return f'<figure class="overlay"><p class="overlay-missing">{escape(error)}</p></figure>'
     lines = overlay_svg_lines(photo, key, SPAN)
     _, top, _, box = (value * SPAN / width for value in focus_box(photo))
-    name = escape(f"{file_name(photo.path)}: picture with extracted skyline and DEM horizons")
+    name = escape(f"{file_name(photo.path)}: {say('picture with extracted skyline and DEM horizons')}")
     store = (
         f'<svg class="store" aria-hidden="true"><defs><g id="{key}-picture">{picture}</g>'
         f'<g id="{key}-lines" class="lines">{lines}</g></defs></svg>'
@@ -154,7 +161,7 @@ def _overlay(photo, number, picture_px):
         f'<title>{name}</title><use xlink:href="#{key}-picture"/><use xlink:href="#{key}-lines"/></svg>'
         for class_, first, extent in (("focus", top, box), ("whole", 0.0, tall))
     )
-    return f'<figure class="overlay">{store}{views}{_legend(photo)}</figure>'
+    return f'<figure class="overlay">{store}{views}{_legend(photo, say)}</figure>'
 
 
 def _picture(photo, picture_px, tall):
@@ -173,30 +180,32 @@ def _picture(photo, picture_px, tall):
     )
 
 
-def _legend(photo):
+def _legend(photo, say):
     entries = []
     if photo.skyline is not None:
-        entries.append(("key-extracted", "extracted"))
+        entries.append(("key-extracted", say("extracted")))
     if photo.horizon is not None and photo.orientation.best is not None:
-        entries.append(("key-best", f"DEM at {azimuth(photo.orientation.best.pose.heading_deg)}"))
+        heading = azimuth(photo.orientation.best.pose.heading_deg)
+        entries.append(("key-best", say("DEM at {heading}").format(heading=heading)))
         if photo.orientation.candidates[1:]:
-            entries.append(("key-alternative", "alternatives"))
+            entries.append(("key-alternative", say("alternatives")))
     spans = "".join(f'<span><span class="key {key}"></span>{escape(words)}</span>' for key, words in entries)
     return f"<figcaption>{spans}</figcaption>" if spans else ""
 
 
-def _plots(photo):
+def _plots(photo, say):
     orientation = photo.orientation
-    score_name = "NCC" if photo.evidence is None and orientation.ncc is not None else "Score"
-    curve = score_curve_svg(orientation, photo.compass_true_deg, score_name, width=760, height=156)
+    score_name = say("NCC") if photo.evidence is None and orientation.ncc is not None else say("Score")
+    curve = score_curve_svg(orientation, photo.compass_true_deg, score_name, width=760, height=156, say=say)
     residual_px = skyline_residuals_px(photo)
     if residual_px is None:
         return f'<div class="plots">{curve}</div>'
-    residuals = residuals_svg(residual_px, full_size(photo)[1], pixels_per_degree(photo), width=500, height=156)
+    scale = full_size(photo)[1], pixels_per_degree(photo)
+    residuals = residuals_svg(residual_px, *scale, width=500, height=156, say=say)
     return f'<div class="plots">{curve}{residuals}</div>'
 
 
-def _ground(panels, picture_px):
+def _ground(panels, picture_px, say):
     """The three panels, reduced like the picture; a browser decodes them when they come into sight."""
     if panels is None:
         return ""
@@ -206,17 +215,17 @@ def _ground(panels, picture_px):
         url = data_url(encode_jpeg(small, 80), "jpeg")
     except MissingPackageError:
         return ""  # the overlay's place has said so
-    title = "Where it looks, and the ground it shows"
+    title = escape(say("Where it looks, and the ground it shows"))
     picture = f'<img src="{url}" alt="{title}" width="{width}" height="{height}" loading="lazy" decoding="async">'
     return f'<details class="ground" open><summary>{title}</summary>{picture}</details>'
 
 
-def _more(photo, extras, figures):
-    tables = "".join(fact_table(title, rows) for title, rows in fact_groups(photo, extras))
+def _more(photo, extras, figures, say):
+    tables = "".join(fact_table(title, rows) for title, rows in fact_groups(photo, extras, say))
     best = photo.orientation.best
     profile = ""
     if photo.horizon is not None and figures:
         heading, hfov = (best.pose.heading_deg, best.camera.hfov_deg) if best else (None, None)
-        profile = horizon_profile_svg(photo.horizon, heading, hfov, width=1280, height=210)
-    title = "All numbers, and the DEM's horizon" if profile else "All numbers"
+        profile = horizon_profile_svg(photo.horizon, heading, hfov, width=1280, height=210, say=say)
+    title = escape(say("All numbers, and the DEM's horizon") if profile else say("All numbers"))
     return f'<details class="more"><summary>{title}</summary><div class="numbers">{tables}</div>{profile}</details>'

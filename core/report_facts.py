@@ -58,6 +58,16 @@ def status_of(photo):
     return status if status in STATUSES else "failed"
 
 
+def status_word(status, say=str):
+    """The status for a reader; in attributes it stays English."""
+    return {
+        "accepted": say("accepted"),
+        "ambiguous": say("ambiguous"),
+        "rejected": say("rejected"),
+        "failed": say("failed"),
+    }[status]
+
+
 def pixels_per_degree(photo):
     """Pixels of the full picture per degree in its middle, or None."""
     return None if photo.camera is None else photo.camera.focal_px * np.pi / 180
@@ -101,7 +111,7 @@ def compass_difference_deg(photo):
     return float(difference(photo.compass_true_deg, best.pose.heading_deg))
 
 
-def fact_groups(photo, extras=None):
+def fact_groups(photo, extras=None, say=str):
     """All numbers of a photograph.
 
     Parameters
@@ -109,6 +119,8 @@ def fact_groups(photo, extras=None):
     photo : OrientedPhoto
     extras : mapping or None
         Further labels and values from the caller, shown first.
+    say : callable
+        See `draw_text`.
 
     Returns
     -------
@@ -116,26 +128,26 @@ def fact_groups(photo, extras=None):
         Plain words, not escaped; groups without any known value are left out.
     """
     groups = [
-        ("Further", [(str(label), str(value)) for label, value in (extras or {}).items()]),
-        ("Pose", _pose(photo)),
-        ("Match", _match(photo)),
-        ("Lens", _lens(photo)),
-        ("Compass", _compass(photo)),
-        ("Place and eye", _place(photo)),
-        ("DEM horizon", _horizon(photo)),
-        ("File", _file(photo)),
+        (say("Further"), [(str(label), str(value)) for label, value in (extras or {}).items()]),
+        (say("Pose"), _pose(photo, say)),
+        (say("Match"), _match(photo, say)),
+        (say("Lens"), _lens(photo, say)),
+        (say("Compass"), _compass(photo, say)),
+        (say("Place and eye"), _place(photo, say)),
+        (say("DEM horizon"), _horizon(photo, say)),
+        (say("File"), _file(photo, say)),
     ]
     return [(title, rows) for title, rows in groups if any(words != "–" for _, words in rows)]
 
 
-def interval_words(orientation):
+def interval_words(orientation, say=str):
     """Write the 90 % interval of the heading, or ''."""
     half = half_interval_deg(orientation)
     if half is None:
         return ""
     decimals = 1 if half >= 1 else 2
     low, high = (azimuth(at, decimals) for at in (orientation.heading_lo_deg, orientation.heading_hi_deg))
-    return f"{low} to {high} (±{half:.{decimals}f}°)"
+    return say("{low} to {high}").format(low=low, high=high) + f" (±{half:.{decimals}f}°)"
 
 
 def percent(share):
@@ -149,88 +161,100 @@ def percent(share):
     return f"{100 * share:.{0 if 0.1 <= share <= 0.9 or share in (0, 1) else 1}f} %"
 
 
-def _pose(photo):
+def _pose(photo, say):
     orientation, best = photo.orientation, photo.orientation.best
     if best is None:
         return []
     rows = [
-        ("Heading, true", f"{azimuth(best.pose.heading_deg, 2)} {compass_point(wrap_360(best.pose.heading_deg))}"),
-        ("90 % interval", interval_words(orientation) or "–"),
-        ("Pitch, + up", degrees(best.pose.pitch_deg, 2, signed=True)),
-        ("Roll, + right side down", degrees(best.pose.roll_deg, 2, signed=True)),
+        (
+            say("Heading, true"),
+            f"{azimuth(best.pose.heading_deg, 2)} {compass_point(wrap_360(best.pose.heading_deg), say)}",
+        ),
+        (say("90 % interval"), interval_words(orientation, say) or "–"),
+        (say("Pitch, + up"), degrees(best.pose.pitch_deg, 2, signed=True)),
+        (say("Roll, + right side down"), degrees(best.pose.roll_deg, 2, signed=True)),
     ]
     for rank, other in enumerate(orientation.candidates[1:3], 2):
         chance = f" ({percent(other.probability)})" if other.probability is not None else ""
-        rows.append((f"Alternative {rank}", f"{azimuth(other.pose.heading_deg, 2)}{chance}"))
+        rows.append((say("Alternative {rank}").format(rank=rank), f"{azimuth(other.pose.heading_deg, 2)}{chance}"))
     return rows
 
 
-def _match(photo):
+def _match(photo, say):
     orientation = photo.orientation
     rows = [
-        ("Within 3° of the truth", percent(orientation.p_correct)),
-        ("Score", "–" if orientation.best is None else f"{orientation.best.score:.3f}"),
-        ("Score of alternative 2", f"{orientation.candidates[1].score:.3f}" if orientation.candidates[1:] else "–"),
-        ("NCC", with_unit(orientation.ncc, "", 3)),
-        ("NCC of the second peak", with_unit(orientation.ncc_second, "", 3)),
-        ("Sharpness of the peak", with_unit(orientation.sharpness, "", 2)),
+        (say("Within 3° of the truth"), percent(orientation.p_correct)),
+        (say("Score"), "–" if orientation.best is None else f"{orientation.best.score:.3f}"),
+        (
+            say("Score of alternative 2"),
+            f"{orientation.candidates[1].score:.3f}" if orientation.candidates[1:] else "–",
+        ),
+        (say("NCC"), with_unit(orientation.ncc, "", 3)),
+        (say("NCC of the second peak"), with_unit(orientation.ncc_second, "", 3)),
+        (say("Sharpness of the peak"), with_unit(orientation.sharpness, "", 2)),
     ]
     residual, scale = skyline_residuals_px(photo), pixels_per_degree(photo)
     median = _median_abs(residual)
     if median is not None:
         angle = degrees(median / scale, 2) if scale else "–"
-        rows.append(("Residual, median", f"{with_unit(median, 'px', 1)}, {angle}"))
-        rows.append(("Columns compared", percent(float(np.isfinite(np.asarray(residual, float)).mean()))))
+        rows.append((say("Residual, median"), f"{with_unit(median, 'px', 1)}, {angle}"))
+        rows.append((say("Columns compared"), percent(float(np.isfinite(np.asarray(residual, float)).mean()))))
     return rows
 
 
-def _lens(photo):
+def _lens(photo, say):
     if photo.camera is None:
         return []
     camera, recorded = photo.camera, photo.metadata.focal_length_35mm if photo.metadata else None
     diagonal = np.hypot(camera.width_px, camera.height_px)
     rows = [
-        ("Horizontal field of view", degrees(camera.hfov_deg, 2)),
-        ("Vertical field of view", degrees(camera.vfov_deg, 2)),
-        ("Focal length", with_unit(camera.focal_px, "px", 0)),
-        ("35 mm equivalent, used", with_unit(camera.focal_px / diagonal * np.hypot(36, 24), "mm", 1)),
-        ("35 mm equivalent, EXIF", with_unit(recorded, "mm", 1)),
+        (say("Horizontal field of view"), degrees(camera.hfov_deg, 2)),
+        (say("Vertical field of view"), degrees(camera.vfov_deg, 2)),
+        (say("Focal length"), with_unit(camera.focal_px, "px", 0)),
+        (say("35 mm equivalent, used"), with_unit(camera.focal_px / diagonal * np.hypot(36, 24), "mm", 1)),
+        (say("35 mm equivalent, EXIF"), with_unit(recorded, "mm", 1)),
     ]
     if camera.k1 or camera.k2:
-        rows.append(("Distortion k1, k2", f"{camera.k1:.4f}, {camera.k2:.4f}"))
+        rows.append((say("Distortion k1, k2"), f"{camera.k1:.4f}, {camera.k2:.4f}"))
     return rows
 
 
-def _compass(photo):
+def _compass(photo, say):
     metadata = photo.metadata
     recorded = metadata.compass_heading_deg if metadata else None
     code = metadata.compass_reference if metadata else None
-    reference = {"T": "true", "M": "magnetic"}.get(code, "unknown reference")
+    reference = {"T": say("from true north"), "M": say("from magnetic north")}.get(code, say("reference unknown"))
     return [
-        ("Recorded", f"{azimuth(recorded)} ({reference})" if is_known(recorded) else "–"),
-        ("Turned to true north", azimuth(photo.compass_true_deg)),
-        ("Recorded minus found", degrees(compass_difference_deg(photo), 1, signed=True)),
+        (say("Recorded"), f"{azimuth(recorded)} ({reference})" if is_known(recorded) else "–"),
+        (say("Turned to true north"), azimuth(photo.compass_true_deg)),
+        (say("Recorded minus found"), degrees(compass_difference_deg(photo), 1, signed=True)),
     ]
 
 
-def _place(photo):
+def _place(photo, say):
     metadata = photo.metadata
     eye, ground = photo.eye_elevation_m, photo.ground_elevation_m
     known = is_known(eye) and is_known(ground)
     altitude = metadata.altitude_m if metadata else None
-    reference = f" ({metadata.altitude_reference})" if metadata and metadata.altitude_reference else ""
+    reference = metadata.altitude_reference if metadata else None
+    reference = f" ({_height_reference(reference, say)})" if reference else ""
     return [
-        ("Latitude", degrees(photo.latitude_deg, 6)),
-        ("Longitude", degrees(photo.longitude_deg, 6)),
-        ("Position error, EXIF", with_unit(metadata.position_error_m if metadata else None, "m", 1)),
-        ("Eye elevation, used", with_unit(eye, "m", 1)),
-        ("DEM under the eye", with_unit(ground, "m", 1)),
-        ("Eye above the DEM", with_unit(eye - ground if known else None, "m", 1, signed=True)),
-        ("Altitude, EXIF", with_unit(altitude, "m", 1) + (reference if is_known(altitude) else "")),
+        (say("Latitude"), degrees(photo.latitude_deg, 6)),
+        (say("Longitude"), degrees(photo.longitude_deg, 6)),
+        (say("Position error, EXIF"), with_unit(metadata.position_error_m if metadata else None, "m", 1)),
+        (say("Eye elevation, used"), with_unit(eye, "m", 1)),
+        (say("DEM under the eye"), with_unit(ground, "m", 1)),
+        (say("Eye above the DEM"), with_unit(eye - ground if known else None, "m", 1, signed=True)),
+        (say("Altitude, EXIF"), with_unit(altitude, "m", 1) + (reference if is_known(altitude) else "")),
     ]
 
 
-def _horizon(photo):
+def _height_reference(reference, say):
+    known = {"sea level": say("sea level"), "below sea level": say("below sea level"), "ellipsoid": say("ellipsoid")}
+    return known.get(reference, reference)
+
+
+def _horizon(photo, say):
     horizon, best = photo.horizon, photo.orientation.best
     if horizon is None:
         return []
@@ -240,25 +264,30 @@ def _horizon(photo):
         distances = np.asarray(horizon.distance_m, float)[inside]
         distances = distances[np.isfinite(distances)] / 1000
         rows = [
-            ("Distance in view, median", with_unit(np.median(distances) if len(distances) else None, "km", 1)),
-            ("Distance in view, farthest", with_unit(distances.max() if len(distances) else None, "km", 1)),
-            ("Cut by the DEM's edge in view", percent(float(np.mean(np.asarray(horizon.clipped)[inside])))),
+            (say("Distance in view, median"), with_unit(np.median(distances) if len(distances) else None, "km", 1)),
+            (say("Distance in view, farthest"), with_unit(distances.max() if len(distances) else None, "km", 1)),
+            (say("Cut by the DEM's edge in view"), percent(float(np.mean(np.asarray(horizon.clipped)[inside])))),
         ]
     return [
         *rows,
-        ("Cell", with_unit(horizon.cell_m, "m", 1)),
-        ("Grid north from true north", degrees(photo.convergence_deg, 2, signed=True)),
+        (say("Cell"), with_unit(horizon.cell_m, "m", 1)),
+        (say("Grid north from true north"), degrees(photo.convergence_deg, 2, signed=True)),
     ]
 
 
-def _file(photo):
+def _file(photo, say):
     metadata = photo.metadata
-    rows = [("Path", str(photo.path))]
+    rows = [(say("Path"), str(photo.path))]
     if metadata is None:
         return rows
     taken = metadata.taken_at.strftime("%Y-%m-%d %H:%M:%S") if metadata.taken_at else "–"
     size = f"{metadata.width_px} × {metadata.height_px} px"
-    return [*rows, ("Size, upright", size), ("Camera", metadata.camera or "–"), ("Taken, camera's time", taken)]
+    return [
+        *rows,
+        (say("Size, upright"), size),
+        (say("Camera"), metadata.camera or "–"),
+        (say("Taken, camera's time"), taken),
+    ]
 
 
 def _median_abs(residual_px):

@@ -7,6 +7,7 @@ import numpy as np
 from .draw_text import azimuth, degrees, escape, with_unit
 from .figures_profile import horizon_profile_svg
 from .report_facts import percent
+from .report_overview import badge
 from .report_page import fact_table
 from .report_writer import DEFAULT_SOFTWARE, MemoryDocument, PageWriter
 
@@ -17,8 +18,8 @@ MOST_WITH_FIGURES = 2_000
 class HorizonReportWriter(PageWriter):
     """Write a report place by place; see `PageWriter` for the parameters and the use as a context manager."""
 
-    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
-        super().__init__(document, title, parameters, software=software, created=created)
+    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
+        super().__init__(document, title, parameters, software=software, created=created, say=say)
         self._rows = []
 
     def add(self, name, horizon, longitude_deg=None, latitude_deg=None, sky_view_factor=None, extras=None):
@@ -36,14 +37,15 @@ class HorizonReportWriter(PageWriter):
         extras : mapping or None
             Further labels and values.
         """
-        self._rows.append((name, _facts(horizon, sky_view_factor)))
+        say = self._say
+        self._rows.append((name, _facts(horizon, sky_view_factor, say)))
         number = len(self._rows)
-        rows = [("Latitude", degrees(latitude_deg, 6)), ("Longitude", degrees(longitude_deg, 6))]
+        rows = [(say("Latitude"), degrees(latitude_deg, 6)), (say("Longitude"), degrees(longitude_deg, 6))]
         rows += [(label, words) for label, _, words in self._rows[-1][1]]
         rows += [(str(label), str(value)) for label, value in (extras or {}).items()]
-        drawing = horizon_profile_svg(horizon, width=1280, height=240) if number <= MOST_WITH_FIGURES else ""
+        drawing = horizon_profile_svg(horizon, width=1280, height=240, say=say) if number <= MOST_WITH_FIGURES else ""
         half = -(-len(rows) // 2)
-        tables = fact_table("Place and horizon", rows[:half]) + fact_table("Eye and DEM", rows[half:])
+        tables = fact_table(say("Place and horizon"), rows[:half]) + fact_table(say("Eye and DEM"), rows[half:])
         self._document.write(
             f'<article class="card item is-place" id="place-{number}"><header>'
             f'<h2><bdi>{escape(name)}</bdi></h2></header>{drawing}<div class="numbers">{tables}</div></article>\n'
@@ -54,25 +56,26 @@ class HorizonReportWriter(PageWriter):
         self._rows.append((name, None))
         self._document.write(
             f'<article class="card item is-failed" id="place-{len(self._rows)}"><header>'
-            f'<span class="badge">! failed</span><h2><bdi>{escape(name)}</bdi></h2></header>'
+            f"{badge('failed', self._say)}<h2><bdi>{escape(name)}</bdi></h2></header>"
             f'<p class="advice">{escape(message, 1000)}</p></article>\n'
         )
 
     def _counts(self):
-        return [f"{len(self._rows)} place{'s' if len(self._rows) != 1 else ''}"]
+        say, count = self._say, len(self._rows)
+        return [say("1 place") if count == 1 else say("{count} places").format(count=count)]
 
     def _frame(self):
-        return ("", ""), _table(self._rows), ""
+        return ("", ""), _table(self._rows, self._say), ""
 
 
-def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
+def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
     """Write the report of a few places as one text.
 
     Parameters
     ----------
     places : iterable of (name, HorizonProfile, longitude_deg, latitude_deg, sky_view_factor)
         The last three may be None.
-    title, parameters, software, created
+    title, parameters, software, created, say
         As for `PageWriter`.
 
     Returns
@@ -81,13 +84,13 @@ def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFT
         A complete HTML page.
     """
     document = MemoryDocument()
-    with HorizonReportWriter(document, title, parameters, software=software, created=created) as writer:
+    with HorizonReportWriter(document, title, parameters, software=software, created=created, say=say) as writer:
         for place in places:
             writer.add(*place)
     return document.text
 
 
-def _facts(horizon, sky_view_factor):
+def _facts(horizon, sky_view_factor, say):
     """(label, value to sort by, words) of a horizon."""
     elevation = np.asarray(horizon.elevation_deg, float)
     distance = np.asarray(horizon.distance_m, float) / 1000
@@ -100,20 +103,20 @@ def _facts(horizon, sky_view_factor):
     farthest = float(distance[far].max()) if far.any() else None
     clipped, void = float(np.mean(horizon.clipped)), float(np.mean(np.asarray(horizon.void, bool) | ~known))
     return [
-        ("Highest horizon", top, degrees(top, 2, signed=True)),
-        ("at azimuth", at, azimuth(at)),
-        ("Mean horizon", mean, degrees(mean, 2, signed=True)),
-        ("Median distance", middle, with_unit(middle, "km", 1)),
-        ("Farthest", farthest, with_unit(farthest, "km", 1)),
-        ("Sky view factor", sky_view_factor, with_unit(sky_view_factor, "", 3)),
-        ("Cut by DEM edge", clipped, percent(clipped)),
-        ("Void", void, percent(void)),
-        ("Eye elevation", horizon.eye_elevation_m, with_unit(horizon.eye_elevation_m, "m", 1)),
-        ("Cell", horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
+        (say("Highest horizon"), top, degrees(top, 2, signed=True)),
+        (say("at azimuth"), at, azimuth(at)),
+        (say("Mean horizon"), mean, degrees(mean, 2, signed=True)),
+        (say("Median distance"), middle, with_unit(middle, "km", 1)),
+        (say("Farthest"), farthest, with_unit(farthest, "km", 1)),
+        (say("Sky view factor"), sky_view_factor, with_unit(sky_view_factor, "", 3)),
+        (say("Cut by DEM edge"), clipped, percent(clipped)),
+        (say("Void"), void, percent(void)),
+        (say("Eye elevation"), horizon.eye_elevation_m, with_unit(horizon.eye_elevation_m, "m", 1)),
+        (say("Cell"), horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
     ]
 
 
-def _table(rows):
+def _table(rows, say):
     labels = next((facts for _, facts in rows if facts), [])
     heads = "".join(f'<th scope="col" data-numeric class="number">{escape(label)}</th>' for label, _, _ in labels)
     lines = []
@@ -124,7 +127,8 @@ def _table(rows):
         )
         name_cell = f'<a href="#place-{number}"><bdi>{escape(name)}</bdi></a>'
         lines.append(f'<tr><td class="name-cell" data-sort="{escape(name)}">{name_cell}</td>{cells}</tr>\n')
+    first = f'<th scope="col">{escape(say("Place"))}</th>'
     return (
-        '<section class="panel scroll"><table class="overview sortable"><thead><tr><th scope="col">Place</th>'
+        f'<section class="panel scroll"><table class="overview sortable"><thead><tr>{first}'
         f"{heads}</tr></thead><tbody>{''.join(lines)}</tbody></table></section>\n"
     )

@@ -5,37 +5,35 @@ from __future__ import annotations
 from collections import Counter
 
 from .draw_text import azimuth, compass_point, degrees, escape, is_known, with_unit
-from .report_facts import STATUSES, percent
+from .report_facts import STATUSES, percent, status_word
 
 SIGNS = {"accepted": "✓", "ambiguous": "?", "rejected": "✕", "failed": "!"}
 """Beside the colour, for those who do not tell red from green."""
 
-COLUMNS = (
-    ("Status", True),
-    ("Photo", False),
-    ("Heading", True),
-    ("90 %", True),
-    ("Within 3°", True),
-    ("Second", True),
-    ("Compass − found", True),
-    ("Pitch", True),
-    ("Roll", True),
-    ("HFOV", True),
-    ("Residual", True),
-)
-"""Heads of the table, and whether the column sorts by number."""
-
-LAYERS = (
-    ("evidence", "key-evidence", "evidence"),
-    ("extracted", "key-extracted", "extracted skyline"),
-    ("best", "key-best", "DEM horizon, answer"),
-    ("alternative", "key-alternative", "alternatives"),
-)
+LAYERS = ("evidence", "extracted", "best", "alternative")
+"""Of the overlays."""
 
 
-def badge(status):
+def columns(say):
+    """Heads of the table, and whether the column sorts by number."""
+    return (
+        (say("Status"), True),
+        (say("Photo"), False),
+        (say("Heading"), True),
+        (say("90 %"), True),
+        (say("Within 3°"), True),
+        (say("Second"), True),
+        (say("Compass − found"), True),
+        (say("Pitch"), True),
+        (say("Roll"), True),
+        (say("HFOV"), True),
+        (say("Residual"), True),
+    )
+
+
+def badge(status, say=str):
     """The coloured word of a status."""
-    return f'<span class="badge">{SIGNS[status]} {status}</span>'
+    return f'<span class="badge">{SIGNS[status]} {escape(status_word(status, say))}</span>'
 
 
 def switches():
@@ -44,47 +42,52 @@ def switches():
         f'<input class="switch" type="radio" name="show" id="show-{name}"{" checked" if name == "all" else ""}>'
         for name in ("all", *STATUSES)
     )
-    layers = "".join(f'<input class="switch" type="checkbox" id="layer-{name}" checked>' for name, _, _ in LAYERS)
+    layers = "".join(f'<input class="switch" type="checkbox" id="layer-{name}" checked>' for name in LAYERS)
     return f'{shown}{layers}<input class="switch" type="checkbox" id="layer-whole">\n'
 
 
-def bar(summaries):
+def bar(summaries, say=str):
     """The bar that stays in sight: filters by status on the left, layers of the overlays on the right."""
     counts = Counter(summary.status for summary in summaries)
-    filters = [f'<label for="show-all">all {len(summaries)}</label>']
+    filters = [f'<label for="show-all">{escape(say("all"))} {len(summaries)}</label>']
     filters += [
-        f'<label for="show-{name}">{SIGNS[name]} {name} {counts[name]}</label>' for name in STATUSES if counts[name]
+        f'<label for="show-{name}">{SIGNS[name]} {escape(status_word(name, say))} {counts[name]}</label>'
+        for name in STATUSES
+        if counts[name]
     ]
+    words = say("evidence"), say("extracted skyline"), say("DEM horizon, answer"), say("alternatives")
     layers = [
-        f'<label for="layer-{name}"><span class="key {key}"></span>{words}</label>' for name, key, words in LAYERS
+        f'<label for="layer-{name}"><span class="key key-{name}"></span>{escape(said)}</label>'
+        for name, said in zip(LAYERS, words)
     ]
-    layers.append('<label for="layer-whole">whole picture</label>')
+    layers.append(f'<label for="layer-whole">{escape(say("whole picture"))}</label>')
     return f'<div class="bar"><div>{"".join(filters)}<span class="gap"></span>{"".join(layers)}</div></div>\n'
 
 
-def overview_table(summaries):
+def overview_table(summaries, say=str):
     """The table of all photographs, in the order of the run."""
     heads = "".join(
-        f'<th scope="col"{" data-numeric class=number" if numeric else ""}>{name}</th>' for name, numeric in COLUMNS
-    ).replace("class=number>Status", ">Status")
-    rows = "".join(_row(number, summary) for number, summary in enumerate(summaries, 1))
+        f'<th scope="col"{" data-numeric class=number" if numeric else ""}>{escape(name)}</th>'
+        for name, numeric in columns(say)
+    ).replace(" class=number", "", 1)
+    rows = "".join(_row(number, summary, say) for number, summary in enumerate(summaries, 1))
     return (
         f'<section class="panel scroll"><table class="overview sortable"><thead><tr>{heads}</tr></thead>'
         f"<tbody>{rows}</tbody></table></section>\n"
     )
 
 
-def _row(number, summary):
+def _row(number, summary, say):
     failed = summary.heading_deg is None
     reason = f'<br><span class="quiet">{escape(summary.message)}</span>' if failed else ""
     name = f'<a href="#photo-{number}"><bdi>{escape(summary.name)}</bdi></a>{reason}'
     half = "–" if summary.half_interval_deg is None else f"±{summary.half_interval_deg:.2f}°"
-    heading = "–" if failed else f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg)}"
+    heading = "–" if failed else f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}"
     residual = with_unit(summary.residual_px, "px", 1)
     if summary.residual_deg is not None:
         residual += f", {summary.residual_deg:.2f}°"
     cells = (
-        (STATUSES.index(summary.status), badge(summary.status)),
+        (STATUSES.index(summary.status), badge(summary.status, say)),
         (None, ""),
         (summary.heading_deg, heading),
         (summary.half_interval_deg, half),

@@ -17,15 +17,16 @@ from .draw_text import escape
 _HERE = Path(__file__).parent
 
 
-def page_head(title, class_="report"):
+def page_head(title, class_="report", say=str):
     """Begin a page: everything up to and including the opening body tag."""
+    language = escape(say("language code: en").split()[-1])  # each catalogue names its own
     style, script = _assets()
     policy = (
         f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
         "base-uri 'none'; form-action 'none'"
     )
     return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<!DOCTYPE html>\n<html lang="{language}"><head><meta charset="utf-8">'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="color-scheme" content="light dark"><meta name="referrer" content="no-referrer">'
@@ -33,25 +34,26 @@ def page_head(title, class_="report"):
     )
 
 
-def page_tail(software=""):
+def page_tail(software="", say=str):
     """End a page with the program's name, the script, and the closing tags."""
-    made_by = f"Made by {escape(software)}. " if software else ""
+    made_by = say("Made by {software}.").format(software=software) + " " if software else ""
+    quiet = say("This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.")
     return (
-        f'<footer class="page quiet">{made_by}This page is complete in itself and loads nothing from a network. '
-        f"Keys: j next photo, k previous.</footer>\n<script>{_assets()[1]}</script>\n</body></html>\n"
+        f'<footer class="page quiet">{escape(made_by + quiet, 2000)}</footer>\n'
+        f"<script>{_assets()[1]}</script>\n</body></html>\n"
     )
 
 
-def parameter_panel(parameters):
+def parameter_panel(parameters, say=str):
     """Fold-out list of a run's parameters; a mapping inside the mapping becomes a group of its own."""
     if not parameters:
         return ""
     loose = {label: value for label, value in parameters.items() if not isinstance(value, Mapping)}
-    groups = [("Run", loose)] if loose else []
+    groups = [(say("Run"), loose)] if loose else []
     groups += [(label, value) for label, value in parameters.items() if isinstance(value, Mapping)]
     tables = "".join(fact_table(title, [(str(a), _words(b)) for a, b in group.items()]) for title, group in groups)
     return (
-        '<details class="panel"><summary>Parameters, DEM and software</summary>'
+        f'<details class="panel"><summary>{escape(say("Parameters, DEM and software"))}</summary>'
         f'<div class="numbers">{tables}</div></details>'
     )
 

@@ -57,11 +57,13 @@ class PageWriter:
         Name and version of the program.
     created : datetime or None
         Printed under the title.
+    say : callable
+        Gives a fixed English word in the reader's language; see `draw_text`.
     """
 
-    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None):
+    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
         self._document, self._title, self._parameters = document, title, dict(parameters or {})
-        self._software, self._created, self._open = software, created, True
+        self._software, self._created, self._say, self._open = software, created, say, True
 
     def __enter__(self):
         return self
@@ -81,9 +83,10 @@ class PageWriter:
             counts = "".join(f"<span>{escape(words)}</span>" for words in said)
             mast = f'<h1>{escape(self._title)}</h1><div class="counts quiet">{counts}</div>'
             before, bar = before
-            head = f'{page_head(self._title)}{before}<div class="page-head">{mast}</div>\n{bar}<div class="page">'
-            head += parameter_panel(self._parameters) + overview
-            self._document.finish(head, f"{after}</div>{page_tail(self._software)}")
+            head = page_head(self._title, say=self._say)
+            head += f'{before}<div class="page-head">{mast}</div>\n{bar}<div class="page">'
+            head += parameter_panel(self._parameters, self._say) + overview
+            self._document.finish(head, f"{after}</div>{page_tail(self._software, self._say)}")
 
     def discard(self):
         """Give the page up, leaving nothing behind."""

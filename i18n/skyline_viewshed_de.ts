@@ -5,6 +5,94 @@
     <name>SkylineViewshed</name>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Ordner mit Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>Auch Unterordner</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Geländemodell (DGM)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Größte Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land-cover raster</source>
+        <translation>Raster der Landbedeckung</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Orientierte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Sichtfeld</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Sichtbares Gelände</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land cover in view</source>
+        <translation>Sichtbare Landbedeckung</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
+        <translation>Liest JPEG-Fotos mit Koordinaten durch den QGIS-eigenen Import, orientiert sie und berechnet das Gelände, das sie zeigen.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
+        <translation>Nimmt die Blickrichtungen, die die Kameras aufgezeichnet haben, und berechnet das Gelände innerhalb des horizontalen Bildwinkels. Kompasse von Telefonen irren um 5 bis 10 Grad und mehr.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows.</source>
+        <translation>Zählt die Zellen jeder Klasse eines Rasters der Landbedeckung innerhalb des Geländes, das jedes orientierte Foto zeigt.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modell: georeferenzierte Fotos zu Sichtfeldern</translation>
     </message>
@@ -305,6 +393,16 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Die Datei {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>es wurde nichts geschrieben</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
         <translation>Das Foto {a} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
     </message>
@@ -317,6 +415,51 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>Landmarke {a} ist auf {b} getroffen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} Pixel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} Grad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>In {a} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Nur in {a} % der Spalten wurde eine Horizontlinie gefunden. Verwenden Sie ein Foto, das mehr von ihr zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -414,6 +557,7 @@
         <location filename="../algorithms/monoplotting.py"/>
         <location filename="../algorithms/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Photo</source>
         <translation>Foto</translation>
     </message>
@@ -444,6 +588,12 @@
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>Fotos, die die Zelle sehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -451,6 +601,11 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
         <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>Meter je Pixel quer zum Blick, bestes Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
@@ -503,20 +658,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Absolute Höhe im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Viewshed</source>
-        <translation>Sichtfeld</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view</source>
-        <translation>Sichtbares Gelände</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -683,6 +824,36 @@
         <translation>Kein Foto zeigt Gelände dieses DGM; es gibt nichts aufzulegen.</translation>
     </message>
     <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>Meter je Pixel quer zum Blick</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>Meter je Pixel längs des Blicks</translation>
+    </message>
+    <message>
         <location filename="../algorithms/elevation.py"/>
         <source>The elevation model cannot be read. Choose a raster file with heights.</source>
         <translation>Das Geländemodell kann nicht gelesen werden. Wählen Sie eine Rasterdatei mit Höhen.</translation>
@@ -844,6 +1015,7 @@
     </message>
     <message>
         <location filename="../algorithms/fields.py"/>
+        <location filename="../core/report_facts.py"/>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
@@ -918,6 +1090,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizont</translation>
     </message>
@@ -1076,32 +1249,14 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Folder of photographs</source>
-        <translation>Ordner mit Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
         <source>JPEG and HEIC files are read by content.</source>
         <translation>JPEG- und HEIC-Dateien werden am Inhalt erkannt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>Auch Unterordner</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Look into all folders below as well.</source>
         <translation>Auch in allen Ordnern darunter suchen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Photos</source>
-        <translation>Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1228,6 +1383,81 @@
         <location filename="../algorithms/layers.py"/>
         <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
         <translation>Der Layer hat kein Feld {field}. Wählen Sie das Feld mit den Pfaden der Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>visible</source>
+        <translation>sichtbar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>outside the picture</source>
+        <translation>außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>angenommen: vertrauenswürdig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>mehrdeutig: siehe Bericht</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>verworfen: keine Antwort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>gescheitert: Eingabe fehlerhaft</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 bis 5 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 bis 10 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>mehr als 10 Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1582,12 +1812,6 @@
     <message>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Oriented photos</source>
-        <translation>Orientierte Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Anzahl der angenommenen Fotos</translation>
     </message>
@@ -1679,6 +1903,7 @@
     </message>
     <message>
         <location filename="../algorithms/oriented.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Status</source>
         <translation>Status</translation>
     </message>
@@ -1874,11 +2099,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Elevation model (DEM)</source>
-        <translation>Geländemodell (DGM)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
         <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte so weit reichen wie die sichtbaren Berge.</translation>
     </message>
@@ -1944,12 +2164,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Maximum distance (m)</source>
-        <translation>Größte Entfernung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Ground metres from the camera. Nothing beyond is looked at.</source>
         <translation>Meter am Boden von der Kamera aus. Dahinter wird nichts betrachtet.</translation>
     </message>
@@ -1988,11 +2202,6 @@
         <location filename="../algorithms/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Bildausschnitt: Gelände im Bild, mit Nick- und Rollwinkel und beiden Bildwinkeln. Blicksektor: alles Gelände im horizontalen Bildwinkel. Vollkreis: alles, was vom Standort zu sehen ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Report</source>
-        <translation>Bericht</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2318,6 +2527,16 @@
         <location filename="../algorithms/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>Den Ordner mit Himmelsmasken {folder} gibt es nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
+        <translation>PNGs mit drei Teilen: Foto, Blickrichtung und Bildwinkel auf dem DGM, Sichtfeld mit der Kamera und, wo die Punkte einen Zeitstempel tragen, dem gegangenen Weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>Folder for one figure per photo</source>
+        <translation>Ordner für eine Abbildung je Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2703,6 +2922,7 @@
     </message>
     <message>
         <location filename="../algorithms/visibility.py"/>
+        <location filename="../core/figures_panels.py"/>
         <source>heading</source>
         <translation>Blickrichtung</translation>
     </message>
@@ -2813,6 +3033,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_horizon.py"/>
         <source>Place</source>
         <translation>Ort</translation>
     </message>
@@ -2865,6 +3086,689 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
+    </message>
+    <message>
+        <location filename="../core/draw_text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNO NO ONO O OSO SO SSO S SSW SW WSW W WNW NW NNW</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>extracted skyline</source>
+        <translation>erkannte Horizontlinie</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>DGM-Horizont bei {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>view</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>viewshed</source>
+        <translation>Sichtfeld</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The DEM has no horizon here.</source>
+        <translation>Das DGM hat hier keinen Horizont.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Horizon of the DEM over all azimuths</source>
+        <translation>Horizont des DGM über alle Azimute</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Image skyline against DEM horizon</source>
+        <translation>Horizontlinie des Bildes gegen Horizont des DGM</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>No column of the picture was compared with the DEM.</source>
+        <translation>Keine Spalte des Bildes wurde mit dem DGM verglichen.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Skyline above DEM [px]</source>
+        <translation>Horizontlinie über DGM [px]</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Residuals along the columns: {words}.</source>
+        <translation>Abweichungen entlang der Spalten: {words}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>no column compared</source>
+        <translation>keine Spalte verglichen</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>median {value}</source>
+        <translation>Median {value}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of the height</source>
+        <translation>{share} % der Höhe</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of columns</source>
+        <translation>{share} % der Spalten</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Elevation angle</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Distance</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>cut by the DEM's edge</source>
+        <translation>am Rand des DGM abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>void</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
+        <translation>Der Horizont ist am höchsten beim Azimut {azimuth} mit {angle} Grad, {distance} entfernt; sein Median ist {median} Grad. In {share} % der Richtungen endet das DGM zu früh.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score over all headings</source>
+        <translation>Wertung über alle Blickrichtungen</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was scored.</source>
+        <translation>Keine Blickrichtung wurde bewertet.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>compass</source>
+        <translation>Kompass</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>{score} over all headings</source>
+        <translation>{score} über alle Blickrichtungen</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score by direction, north up</source>
+        <translation>Wertung nach Richtung, Norden oben</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was found.</source>
+        <translation>Keine Blickrichtung wurde gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The best heading is {heading} from true north.</source>
+        <translation>Die beste Blickrichtung ist {heading} von geographisch Nord.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Alternatives are at {headings}.</source>
+        <translation>Alternativen liegen bei {headings}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The compass recorded {heading}.</source>
+        <translation>Der Kompass hat {heading} aufgezeichnet.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <source>{count} photographs within {extent} kilometres.</source>
+        <translation>{count} Fotos innerhalb von {extent} Kilometern.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/report.py"/>
+        <source>Where the photographs stand and look</source>
+        <translation>Wo die Fotos stehen und wohin sie blicken</translation>
+    </message>
+    <message>
+        <location filename="../core/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} Fotos haben hier Zahlen, aber keine Abbildungen, damit die Seite benutzbar bleibt: Ein Bericht zeichnet die ersten {most} ganz ({accepted} angenommene). Verarbeiten Sie sie in kleineren Gruppen, um alle zu sehen.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>best guess</source>
+        <translation>beste Vermutung</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>likeliest of several</source>
+        <translation>wahrscheinlichste von mehreren</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Pitch</source>
+        <translation>Nickwinkel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Roll</source>
+        <translation>Rollwinkel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>HFOV</source>
+        <translation>Bildwinkel hor.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Compass − found</source>
+        <translation>Kompass − gefunden</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye elevation</source>
+        <translation>Augenhöhe (absolut)</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC</source>
+        <translation>NCC</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>probability</source>
+        <translation>Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>{chance} within 3°</source>
+        <translation>{chance} innerhalb von 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternativen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>picture with extracted skyline and DEM horizons</source>
+        <translation>Bild mit erkannter Horizontlinie und Horizonten des DGM</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>extracted</source>
+        <translation>erkannt</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>DEM at {heading}</source>
+        <translation>DGM bei {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>alternatives</source>
+        <translation>Alternativen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>Score</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Where it looks, and the ground it shows</source>
+        <translation>Wohin es blickt und welches Gelände es zeigt</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers, and the DEM's horizon</source>
+        <translation>Alle Zahlen und der Horizont des DGM</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers</source>
+        <translation>Alle Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ambiguous</source>
+        <translation>mehrdeutig</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Further</source>
+        <translation>Weiteres</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Compass</source>
+        <translation>Kompass</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Place and eye</source>
+        <translation>Ort und Auge</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM horizon</source>
+        <translation>DGM-Horizont</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} bis {high}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Heading, true</source>
+        <translation>Blickrichtung, geographisch</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>90 % interval</source>
+        <translation>90-%-Intervall</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pitch, + up</source>
+        <translation>Nickwinkel, + aufwärts</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Roll, + right side down</source>
+        <translation>Rollwinkel, + rechts abwärts</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Alternative {rank}</source>
+        <translation>Alternative {rank}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Within 3° of the truth</source>
+        <translation>Höchstens 3° von der Wahrheit</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Score of alternative 2</source>
+        <translation>Wertung der Alternative 2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC of the second peak</source>
+        <translation>NCC des zweiten Gipfels</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Sharpness of the peak</source>
+        <translation>Schärfe des Gipfels</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Residual, median</source>
+        <translation>Abweichung, Median</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Columns compared</source>
+        <translation>Verglichene Spalten</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Horizontal field of view</source>
+        <translation>Horizontaler Bildwinkel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Vertical field of view</source>
+        <translation>Vertikaler Bildwinkel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, used</source>
+        <translation>35-mm-Äquivalent, verwendet</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, EXIF</source>
+        <translation>35-mm-Äquivalent, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distortion k1, k2</source>
+        <translation>Verzeichnung k1, k2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from true north</source>
+        <translation>von geographisch Nord</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from magnetic north</source>
+        <translation>von magnetisch Nord</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>reference unknown</source>
+        <translation>Bezug unbekannt</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Turned to true north</source>
+        <translation>Auf geographisch Nord gedreht</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded minus found</source>
+        <translation>Aufgezeichnet minus gefunden</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Latitude</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Longitude</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Position error, EXIF</source>
+        <translation>Positionsfehler, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye elevation, used</source>
+        <translation>Höhe des Auges, verwendet</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM under the eye</source>
+        <translation>DGM unter dem Auge</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye above the DEM</source>
+        <translation>Auge über dem DGM</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Altitude, EXIF</source>
+        <translation>Höhe, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>sea level</source>
+        <translation>Meeresspiegel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>below sea level</source>
+        <translation>unter dem Meeresspiegel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, median</source>
+        <translation>Entfernung im Bild, Median</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, farthest</source>
+        <translation>Entfernung im Bild, größte</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Cut by the DEM's edge in view</source>
+        <translation>Im Bild am Rand des DGM abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Grid north from true north</source>
+        <translation>Gitternord von geographisch Nord</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Path</source>
+        <translation>Pfad</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Size, upright</source>
+        <translation>Größe, aufrecht</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Taken, camera's time</source>
+        <translation>Aufgenommen, Zeit der Kamera</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Place and horizon</source>
+        <translation>Ort und Horizont</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye and DEM</source>
+        <translation>Auge und DGM</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>1 place</source>
+        <translation>1 Ort</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>{count} places</source>
+        <translation>{count} Orte</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Highest horizon</source>
+        <translation>Höchster Horizont</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>at azimuth</source>
+        <translation>beim Azimut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Mean horizon</source>
+        <translation>Mittlerer Horizont</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Median distance</source>
+        <translation>Mittlere Entfernung (Median)</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Farthest</source>
+        <translation>Am fernsten</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cut by DEM edge</source>
+        <translation>Am Rand des DGM abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Void</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Heading</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Within 3°</source>
+        <translation>Innerhalb 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Second</source>
+        <translation>Zweite</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Residual</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>evidence</source>
+        <translation>Anhaltspunkte</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>DEM horizon, answer</source>
+        <translation>DGM-Horizont, Antwort</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>whole picture</source>
+        <translation>ganzes Bild</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>language code: en</source>
+        <translation>Sprachkürzel: de</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Made by {software}.</source>
+        <translation>Erstellt von {software}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
+        <translation>Diese Seite ist in sich vollständig und lädt nichts aus einem Netz. Tasten: j nächstes Foto, k voriges.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Parameter, DGM und Software</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,94 @@
     <name>SkylineViewshed</name>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Carpeta de fotografías</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>También las subcarpetas</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Modelo digital de elevaciones (MDE)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Distancia máxima (m)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land-cover raster</source>
+        <translation>Ráster de cobertura del suelo</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Fotos orientadas</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Cuenca visual</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Terreno visible</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land cover in view</source>
+        <translation>Cobertura del suelo visible</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
+        <translation>Lee fotografías JPEG georreferenciadas con el importador propio de QGIS, las orienta y calcula el terreno que muestran.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
+        <translation>Toma los rumbos que registraron las cámaras y calcula el terreno dentro del ángulo de visión horizontal. Las brújulas de los teléfonos yerran de 5 a 10 grados y más.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows.</source>
+        <translation>Cuenta las celdas de cada clase de un ráster de cobertura del suelo dentro del terreno que muestra cada fotografía orientada.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modelo: de fotos georreferenciadas a cuencas visuales</translation>
     </message>
@@ -305,6 +393,16 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir el archivo {a}: {b}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>no se escribió nada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
         <translation>No se puede escribir la foto {a}: llámela .jpg o .heic.</translation>
     </message>
@@ -317,6 +415,51 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>El punto de referencia {a} se acierta con {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} píxeles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} grados</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>above</source>
+        <translation>por encima</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>below</source>
+        <translation>por debajo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>En el {a} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Solo se halló una línea del horizonte en el {a} % de las columnas. Use una foto que muestre más de ella, o aporte una máscara del cielo o una línea dibujada.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -414,6 +557,7 @@
         <location filename="../algorithms/monoplotting.py"/>
         <location filename="../algorithms/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Photo</source>
         <translation>Foto</translation>
     </message>
@@ -444,6 +588,12 @@
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>fotografías que ven la celda</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -451,6 +601,11 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
         <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>metros por píxel a través de la vista, mejor foto</translation>
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
@@ -503,20 +658,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitud absoluta en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Viewshed</source>
-        <translation>Cuenca visual</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view</source>
-        <translation>Terreno visible</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -683,6 +824,36 @@
         <translation>Ninguna foto muestra terreno de este MDE: no hay nada que extender.</translation>
     </message>
     <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>opacidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>metros por píxel a través de la vista</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>metros por píxel a lo largo de la vista</translation>
+    </message>
+    <message>
         <location filename="../algorithms/elevation.py"/>
         <source>The elevation model cannot be read. Choose a raster file with heights.</source>
         <translation>No se puede leer el modelo digital de elevaciones. Elija un archivo ráster con altitudes.</translation>
@@ -844,6 +1015,7 @@
     </message>
     <message>
         <location filename="../algorithms/fields.py"/>
+        <location filename="../core/report_facts.py"/>
         <source>Camera</source>
         <translation>Cámara</translation>
     </message>
@@ -918,6 +1090,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizonte</translation>
     </message>
@@ -1076,32 +1249,14 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Folder of photographs</source>
-        <translation>Carpeta de fotografías</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
         <source>JPEG and HEIC files are read by content.</source>
         <translation>Los archivos JPEG y HEIC se reconocen por su contenido.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>También las subcarpetas</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Look into all folders below as well.</source>
         <translation>Buscar también en todas las carpetas de su interior.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Photos</source>
-        <translation>Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1228,6 +1383,81 @@
         <location filename="../algorithms/layers.py"/>
         <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
         <translation>La capa no tiene el campo {field}. Elija el campo que contiene las rutas de las fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>outside the picture</source>
+        <translation>fuera de la imagen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>aceptada: fiable</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>ambigua: vea el informe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>rechazada: sin respuesta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>fallida: entrada defectuosa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>not seen</source>
+        <translation>no visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 a 5 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 a 10 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>más de 10 fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1582,12 +1812,6 @@
     <message>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Oriented photos</source>
-        <translation>Fotos orientadas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Número de fotos aceptadas</translation>
     </message>
@@ -1679,6 +1903,7 @@
     </message>
     <message>
         <location filename="../algorithms/oriented.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Status</source>
         <translation>Estado</translation>
     </message>
@@ -1874,11 +2099,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Elevation model (DEM)</source>
-        <translation>Modelo digital de elevaciones (MDE)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
         <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería llegar tan lejos como las montañas que se ven.</translation>
     </message>
@@ -1944,12 +2164,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Maximum distance (m)</source>
-        <translation>Distancia máxima (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Ground metres from the camera. Nothing beyond is looked at.</source>
         <translation>Metros sobre el terreno desde la cámara. Más allá no se examina nada.</translation>
     </message>
@@ -1988,11 +2202,6 @@
         <location filename="../algorithms/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Encuadre de la foto: terreno dentro de la imagen, con cabeceo, alabeo y ambos ángulos de visión. Sector de visión: todo el terreno dentro del ángulo de visión horizontal. Círculo completo: todo lo que se ve desde el lugar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Report</source>
-        <translation>Informe</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2318,6 +2527,16 @@
         <location filename="../algorithms/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>La carpeta de máscaras del cielo {folder} no existe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
+        <translation>PNG en tres paneles: fotografía, rumbo y ángulo de visión sobre el MDE, cuenca visual con la cámara y, si los puntos llevan marca de tiempo, el camino recorrido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>Folder for one figure per photo</source>
+        <translation>Carpeta para una figura por foto</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2703,6 +2922,7 @@
     </message>
     <message>
         <location filename="../algorithms/visibility.py"/>
+        <location filename="../core/figures_panels.py"/>
         <source>heading</source>
         <translation>rumbo</translation>
     </message>
@@ -2813,6 +3033,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_horizon.py"/>
         <source>Place</source>
         <translation>Lugar</translation>
     </message>
@@ -2865,6 +3086,689 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
+    </message>
+    <message>
+        <location filename="../core/draw_text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>extracted skyline</source>
+        <translation>línea del horizonte extraída</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>horizonte del MDE a {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>view</source>
+        <translation>vista</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>viewshed</source>
+        <translation>cuenca visual</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>photograph</source>
+        <translation>fotografía</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The DEM has no horizon here.</source>
+        <translation>El MDE no tiene horizonte aquí.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Horizon of the DEM over all azimuths</source>
+        <translation>Horizonte del MDE en todos los acimuts</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Image skyline against DEM horizon</source>
+        <translation>Línea del horizonte de la imagen frente al horizonte del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>No column of the picture was compared with the DEM.</source>
+        <translation>Ninguna columna de la imagen se comparó con el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Skyline above DEM [px]</source>
+        <translation>Línea sobre el MDE [px]</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Residuals along the columns: {words}.</source>
+        <translation>Residuos a lo largo de las columnas: {words}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>no column compared</source>
+        <translation>ninguna columna comparada</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>median {value}</source>
+        <translation>mediana {value}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of the height</source>
+        <translation>{share} % de la altura</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of columns</source>
+        <translation>{share} % de las columnas</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Elevation angle</source>
+        <translation>Ángulo de elevación</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>cut by the DEM's edge</source>
+        <translation>cortado por el borde del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>void</source>
+        <translation>vacío</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
+        <translation>El horizonte es más alto en el acimut {azimuth} con {angle} grados, a {distance}; su mediana es de {median} grados. En el {share} % de las direcciones el MDE termina demasiado pronto.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score over all headings</source>
+        <translation>Puntuación en todos los rumbos</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was scored.</source>
+        <translation>No se evaluó ningún rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>compass</source>
+        <translation>brújula</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>{score} over all headings</source>
+        <translation>{score} en todos los rumbos</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score by direction, north up</source>
+        <translation>Puntuación por dirección, norte arriba</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was found.</source>
+        <translation>No se encontró ningún rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The best heading is {heading} from true north.</source>
+        <translation>El mejor rumbo es {heading} desde el norte geográfico.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Alternatives are at {headings}.</source>
+        <translation>Las alternativas están a {headings}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The compass recorded {heading}.</source>
+        <translation>La brújula registró {heading}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <source>{count} photographs within {extent} kilometres.</source>
+        <translation>{count} fotografías en {extent} kilómetros.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/report.py"/>
+        <source>Where the photographs stand and look</source>
+        <translation>Dónde están las fotografías y hacia dónde miran</translation>
+    </message>
+    <message>
+        <location filename="../core/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} fotografías tienen aquí números pero no figuras, para que la página siga siendo manejable: un informe dibuja enteras las primeras {most} ({accepted} aceptadas). Procéselas en grupos más pequeños para verlas todas.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>best guess</source>
+        <translation>mejor conjetura</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>likeliest of several</source>
+        <translation>el más probable de varios</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Pitch</source>
+        <translation>Cabeceo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Roll</source>
+        <translation>Alabeo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>HFOV</source>
+        <translation>Ángulo hor.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Compass − found</source>
+        <translation>Brújula − hallado</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye elevation</source>
+        <translation>Elevación del ojo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC</source>
+        <translation>NCC</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>probability</source>
+        <translation>probabilidad</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>{chance} within 3°</source>
+        <translation>{chance} dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternativas</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>picture with extracted skyline and DEM horizons</source>
+        <translation>imagen con la línea del horizonte extraída y los horizontes del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>extracted</source>
+        <translation>extraída</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>DEM at {heading}</source>
+        <translation>MDE a {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>alternatives</source>
+        <translation>alternativas</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Where it looks, and the ground it shows</source>
+        <translation>Hacia dónde mira y el terreno que muestra</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers, and the DEM's horizon</source>
+        <translation>Todos los números y el horizonte del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers</source>
+        <translation>Todos los números</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>accepted</source>
+        <translation>aceptada</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ambiguous</source>
+        <translation>ambigua</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>rejected</source>
+        <translation>rechazada</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>failed</source>
+        <translation>fallida</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Further</source>
+        <translation>Otros</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Match</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Lens</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Compass</source>
+        <translation>Brújula</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Place and eye</source>
+        <translation>Lugar y ojo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM horizon</source>
+        <translation>Horizonte del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} a {high}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Heading, true</source>
+        <translation>Rumbo, geográfico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>90 % interval</source>
+        <translation>Intervalo del 90 %</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pitch, + up</source>
+        <translation>Cabeceo, + hacia arriba</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Roll, + right side down</source>
+        <translation>Alabeo, + lado derecho abajo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Alternative {rank}</source>
+        <translation>Alternativa {rank}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Within 3° of the truth</source>
+        <translation>A menos de 3° de la verdad</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Score of alternative 2</source>
+        <translation>Puntuación de la alternativa 2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC of the second peak</source>
+        <translation>NCC del segundo pico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Sharpness of the peak</source>
+        <translation>Nitidez del pico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Residual, median</source>
+        <translation>Residuo, mediana</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Columns compared</source>
+        <translation>Columnas comparadas</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Horizontal field of view</source>
+        <translation>Ángulo de visión horizontal</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Vertical field of view</source>
+        <translation>Ángulo de visión vertical</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Focal length</source>
+        <translation>Distancia focal</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, used</source>
+        <translation>Equivalente de 35 mm, usado</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, EXIF</source>
+        <translation>Equivalente de 35 mm, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distortion k1, k2</source>
+        <translation>Distorsión k1, k2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from true north</source>
+        <translation>desde el norte geográfico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from magnetic north</source>
+        <translation>desde el norte magnético</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>reference unknown</source>
+        <translation>referencia desconocida</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded</source>
+        <translation>Registrado</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Turned to true north</source>
+        <translation>Girado al norte geográfico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded minus found</source>
+        <translation>Registrado menos hallado</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Latitude</source>
+        <translation>Latitud</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Longitude</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Position error, EXIF</source>
+        <translation>Error de posición, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye elevation, used</source>
+        <translation>Elevación del ojo, usada</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM under the eye</source>
+        <translation>MDE bajo el ojo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye above the DEM</source>
+        <translation>Ojo sobre el MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Altitude, EXIF</source>
+        <translation>Altitud, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>sea level</source>
+        <translation>nivel del mar</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>below sea level</source>
+        <translation>bajo el nivel del mar</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ellipsoid</source>
+        <translation>elipsoide</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, median</source>
+        <translation>Distancia a la vista, mediana</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, farthest</source>
+        <translation>Distancia a la vista, máxima</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Cut by the DEM's edge in view</source>
+        <translation>Cortado a la vista por el borde del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cell</source>
+        <translation>Celda</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Grid north from true north</source>
+        <translation>Norte de cuadrícula desde el norte geográfico</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Path</source>
+        <translation>Ruta</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Size, upright</source>
+        <translation>Tamaño, derecho</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Taken, camera's time</source>
+        <translation>Tomada, hora de la cámara</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Place and horizon</source>
+        <translation>Lugar y horizonte</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye and DEM</source>
+        <translation>Ojo y MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>1 place</source>
+        <translation>1 lugar</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>{count} places</source>
+        <translation>{count} lugares</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Highest horizon</source>
+        <translation>Horizonte más alto</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>at azimuth</source>
+        <translation>en el acimut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Mean horizon</source>
+        <translation>Horizonte medio</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Median distance</source>
+        <translation>Distancia mediana</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Farthest</source>
+        <translation>Más lejano</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Factor de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cut by DEM edge</source>
+        <translation>Cortado por el borde del MDE</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Void</source>
+        <translation>Vacío</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Heading</source>
+        <translation>Rumbo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Within 3°</source>
+        <translation>Dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Second</source>
+        <translation>Segundo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Residual</source>
+        <translation>Residuo</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>all</source>
+        <translation>todas</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>evidence</source>
+        <translation>indicios</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>DEM horizon, answer</source>
+        <translation>horizonte del MDE, respuesta</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>whole picture</source>
+        <translation>imagen entera</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>language code: en</source>
+        <translation>código de idioma: es</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Made by {software}.</source>
+        <translation>Hecho por {software}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
+        <translation>Esta página está completa en sí misma y no carga nada de una red. Teclas: j foto siguiente, k anterior.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Parámetros, MDE y programa</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,94 @@
     <name>SkylineViewshed</name>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Folder of photographs</source>
+        <translation>Dossier de photos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Folders inside it too</source>
+        <translation>Sous-dossiers aussi</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Elevation model (DEM)</source>
+        <translation>Modèle numérique de terrain (MNT)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Maximum distance (m)</source>
+        <translation>Distance maximale (m)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land-cover raster</source>
+        <translation>Raster d'occupation du sol</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Photos</source>
+        <translation>Photos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Oriented photos</source>
+        <translation>Photos orientées</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Viewshed</source>
+        <translation>Bassin visuel</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>Ground in view</source>
+        <translation>Terrain visible</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Land cover in view</source>
+        <translation>Occupation du sol visible</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/parameters.py"/>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
+        <translation>Lit des photos JPEG géolocalisées avec l'import de QGIS, les oriente et calcule le terrain qu'elles montrent.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
+        <translation>Prend les azimuts enregistrés par les appareils et calcule le terrain dans l'angle de champ horizontal. Les boussoles des téléphones se trompent de 5 à 10 degrés et plus.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows.</source>
+        <translation>Compte les cellules de chaque classe d'un raster d'occupation du sol dans le terrain que montre chaque photo orientée.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modèle : des photos géolocalisées aux bassins visuels</translation>
     </message>
@@ -305,6 +393,16 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Le fichier {a} ne peut pas être écrit : {b}. Choisissez un autre dossier ou libérez de l'espace.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>rien n'a été écrit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
         <translation>La photo {a} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
     </message>
@@ -317,6 +415,51 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>Le point de repère {a} est atteint à {b} près.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} pixels</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} degrés</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>above</source>
+        <translation>au-dessus</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>below</source>
+        <translation>au-dessous</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>Dans {a} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Une ligne d'horizon n'a été trouvée que dans {a} % des colonnes. Utilisez une photo qui en montre davantage, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -414,6 +557,7 @@
         <location filename="../algorithms/monoplotting.py"/>
         <location filename="../algorithms/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Photo</source>
         <translation>Photo</translation>
     </message>
@@ -444,6 +588,12 @@
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
+        <location filename="../algorithms/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>photos qui voient la cellule</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -451,6 +601,11 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
         <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>mètres par pixel en travers de la vue, meilleure photo</translation>
     </message>
     <message>
         <location filename="../algorithms/coverage_outputs.py"/>
@@ -503,20 +658,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Absolute elevation in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitude absolue dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Viewshed</source>
-        <translation>Bassin visuel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view</source>
-        <translation>Terrain visible</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -683,6 +824,36 @@
         <translation>Aucune photo ne montre de terrain de ce MNT : il n'y a rien à draper.</translation>
     </message>
     <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>red</source>
+        <translation>rouge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>green</source>
+        <translation>vert</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>blue</source>
+        <translation>bleu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>opacité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>mètres par pixel en travers de la vue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>mètres par pixel le long de la vue</translation>
+    </message>
+    <message>
         <location filename="../algorithms/elevation.py"/>
         <source>The elevation model cannot be read. Choose a raster file with heights.</source>
         <translation>Le modèle numérique de terrain ne peut pas être lu. Choisissez un fichier raster contenant des altitudes.</translation>
@@ -844,6 +1015,7 @@
     </message>
     <message>
         <location filename="../algorithms/fields.py"/>
+        <location filename="../core/report_facts.py"/>
         <source>Camera</source>
         <translation>Appareil photo</translation>
     </message>
@@ -918,6 +1090,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizon</translation>
     </message>
@@ -1076,32 +1249,14 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Folder of photographs</source>
-        <translation>Dossier de photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
         <source>JPEG and HEIC files are read by content.</source>
         <translation>Les fichiers JPEG et HEIC sont reconnus à leur contenu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>Sous-dossiers aussi</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Look into all folders below as well.</source>
         <translation>Chercher aussi dans tous les dossiers qu'il contient.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Photos</source>
-        <translation>Photos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1228,6 +1383,81 @@
         <location filename="../algorithms/layers.py"/>
         <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
         <translation>La couche n'a pas de champ {field}. Choisissez le champ qui contient les chemins des photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden</source>
+        <translation>caché</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>outside the picture</source>
+        <translation>hors de l'image</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>acceptée : fiable</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>ambiguë : voir le rapport</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>rejetée : pas de réponse</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>en échec : entrée en cause</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 à 5 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 à 10 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>plus de 10 photos</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1582,12 +1812,6 @@
     <message>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Oriented photos</source>
-        <translation>Photos orientées</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Nombre de photos acceptées</translation>
     </message>
@@ -1679,6 +1903,7 @@
     </message>
     <message>
         <location filename="../algorithms/oriented.py"/>
+        <location filename="../core/report_overview.py"/>
         <source>Status</source>
         <translation>Statut</translation>
     </message>
@@ -1874,11 +2099,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Elevation model (DEM)</source>
-        <translation>Modèle numérique de terrain (MNT)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
         <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre aussi loin que les montagnes visibles.</translation>
     </message>
@@ -1944,12 +2164,6 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Maximum distance (m)</source>
-        <translation>Distance maximale (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
         <source>Ground metres from the camera. Nothing beyond is looked at.</source>
         <translation>Mètres au sol depuis l'appareil. Rien n'est examiné au-delà.</translation>
     </message>
@@ -1988,11 +2202,6 @@
         <location filename="../algorithms/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Cadre de la photo : terrain dans l'image, avec tangage, roulis et les deux angles de champ. Secteur de visée : tout le terrain dans l'angle de champ horizontal. Cercle complet : tout ce qui se voit depuis le lieu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Report</source>
-        <translation>Rapport</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2318,6 +2527,16 @@
         <location filename="../algorithms/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>Le dossier de masques de ciel {folder} n'existe pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
+        <translation>PNG en trois volets : photo, azimut et angle de champ sur le MNT, bassin visuel avec l'appareil et, si les points portent un horodatage, le chemin parcouru.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/result_figures.py"/>
+        <source>Folder for one figure per photo</source>
+        <translation>Dossier pour une figure par photo</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2703,6 +2922,7 @@
     </message>
     <message>
         <location filename="../algorithms/visibility.py"/>
+        <location filename="../core/figures_panels.py"/>
         <source>heading</source>
         <translation>azimut de visée</translation>
     </message>
@@ -2813,6 +3033,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report_horizon.py"/>
         <source>Place</source>
         <translation>Lieu</translation>
     </message>
@@ -2865,6 +3086,689 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
+    </message>
+    <message>
+        <location filename="../core/draw_text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>extracted skyline</source>
+        <translation>ligne d'horizon extraite</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>horizon du MNT à {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>view</source>
+        <translation>vue</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>viewshed</source>
+        <translation>bassin visuel</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_panels.py"/>
+        <source>photograph</source>
+        <translation>photographie</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The DEM has no horizon here.</source>
+        <translation>Le MNT n'a pas d'horizon ici.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Horizon of the DEM over all azimuths</source>
+        <translation>Horizon du MNT sur tous les azimuts</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Image skyline against DEM horizon</source>
+        <translation>Ligne d'horizon de l'image comparée à l'horizon du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>No column of the picture was compared with the DEM.</source>
+        <translation>Aucune colonne de l'image n'a été comparée au MNT.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Skyline above DEM [px]</source>
+        <translation>Ligne d'horizon au-dessus du MNT [px]</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Residuals along the columns: {words}.</source>
+        <translation>Écarts le long des colonnes : {words}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>no column compared</source>
+        <translation>aucune colonne comparée</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>median {value}</source>
+        <translation>médiane {value}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of the height</source>
+        <translation>{share} % de la hauteur</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>{share} % of columns</source>
+        <translation>{share} % des colonnes</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Elevation angle</source>
+        <translation>Hauteur angulaire</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>cut by the DEM's edge</source>
+        <translation>coupé par le bord du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>void</source>
+        <translation>lacune</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_profile.py"/>
+        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
+        <translation>L'horizon est le plus haut à l'azimut {azimuth} avec {angle} degrés, à {distance} ; sa médiane est de {median} degrés. Dans {share} % des directions, le MNT s'arrête trop tôt.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score over all headings</source>
+        <translation>Score sur tous les azimuts</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was scored.</source>
+        <translation>Aucun azimut n'a été évalué.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>compass</source>
+        <translation>boussole</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>{score} over all headings</source>
+        <translation>{score} sur tous les azimuts</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Score by direction, north up</source>
+        <translation>Score par direction, nord en haut</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>No heading was found.</source>
+        <translation>Aucun azimut n'a été trouvé.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The best heading is {heading} from true north.</source>
+        <translation>Le meilleur azimut est {heading} depuis le nord géographique.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>Alternatives are at {headings}.</source>
+        <translation>Les alternatives sont à {headings}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_score.py"/>
+        <source>The compass recorded {heading}.</source>
+        <translation>La boussole a enregistré {heading}.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <source>{count} photographs within {extent} kilometres.</source>
+        <translation>{count} photos dans un rayon de {extent} kilomètres.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/report.py"/>
+        <source>Where the photographs stand and look</source>
+        <translation>Où les photos ont été prises et vers où elles regardent</translation>
+    </message>
+    <message>
+        <location filename="../core/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} photos ont ici des chiffres mais pas de figures, pour que la page reste utilisable : un rapport dessine les {most} premières en entier ({accepted} acceptées). Traitez-les en plus petits groupes pour les voir toutes.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>best guess</source>
+        <translation>meilleure estimation</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>likeliest of several</source>
+        <translation>le plus probable de plusieurs</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Pitch</source>
+        <translation>Tangage</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Roll</source>
+        <translation>Roulis</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>HFOV</source>
+        <translation>Champ hor.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>Compass − found</source>
+        <translation>Boussole − trouvé</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye elevation</source>
+        <translation>Altitude de l'œil</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC</source>
+        <translation>NCC</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>probability</source>
+        <translation>probabilité</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>{chance} within 3°</source>
+        <translation>{chance} à moins de 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternatives</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>picture with extracted skyline and DEM horizons</source>
+        <translation>image avec la ligne d'horizon extraite et les horizons du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>extracted</source>
+        <translation>extraite</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>DEM at {heading}</source>
+        <translation>MNT à {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_overview.py"/>
+        <source>alternatives</source>
+        <translation>alternatives</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <location filename="../core/report_facts.py"/>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>Where it looks, and the ground it shows</source>
+        <translation>Vers où elle regarde, et le terrain qu'elle montre</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers, and the DEM's horizon</source>
+        <translation>Tous les chiffres, et l'horizon du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_card.py"/>
+        <source>All numbers</source>
+        <translation>Tous les chiffres</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>accepted</source>
+        <translation>acceptée</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ambiguous</source>
+        <translation>ambiguë</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>rejected</source>
+        <translation>rejetée</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>failed</source>
+        <translation>en échec</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Further</source>
+        <translation>Autres</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Match</source>
+        <translation>Appariement</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Lens</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Compass</source>
+        <translation>Boussole</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Place and eye</source>
+        <translation>Lieu et œil</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM horizon</source>
+        <translation>Horizon du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} à {high}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Heading, true</source>
+        <translation>Azimut, géographique</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>90 % interval</source>
+        <translation>Intervalle à 90 %</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Pitch, + up</source>
+        <translation>Tangage, + vers le haut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Roll, + right side down</source>
+        <translation>Roulis, + côté droit vers le bas</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Alternative {rank}</source>
+        <translation>Alternative {rank}</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Within 3° of the truth</source>
+        <translation>À moins de 3° de la vérité</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Score of alternative 2</source>
+        <translation>Score de l'alternative 2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>NCC of the second peak</source>
+        <translation>NCC du deuxième pic</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Sharpness of the peak</source>
+        <translation>Netteté du pic</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Residual, median</source>
+        <translation>Écart, médiane</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Columns compared</source>
+        <translation>Colonnes comparées</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Horizontal field of view</source>
+        <translation>Angle de champ horizontal</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Vertical field of view</source>
+        <translation>Angle de champ vertical</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Focal length</source>
+        <translation>Distance focale</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, used</source>
+        <translation>Équivalent 35 mm, utilisé</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>35 mm equivalent, EXIF</source>
+        <translation>Équivalent 35 mm, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distortion k1, k2</source>
+        <translation>Distorsion k1, k2</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from true north</source>
+        <translation>depuis le nord géographique</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>from magnetic north</source>
+        <translation>depuis le nord magnétique</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>reference unknown</source>
+        <translation>référence inconnue</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Turned to true north</source>
+        <translation>Ramené au nord géographique</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Recorded minus found</source>
+        <translation>Enregistré moins trouvé</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Position error, EXIF</source>
+        <translation>Erreur de position, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye elevation, used</source>
+        <translation>Altitude de l'œil, utilisée</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>DEM under the eye</source>
+        <translation>MNT sous l'œil</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Eye above the DEM</source>
+        <translation>Œil au-dessus du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Altitude, EXIF</source>
+        <translation>Altitude, EXIF</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>sea level</source>
+        <translation>niveau de la mer</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>below sea level</source>
+        <translation>sous le niveau de la mer</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>ellipsoid</source>
+        <translation>ellipsoïde</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, median</source>
+        <translation>Distance visible, médiane</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Distance in view, farthest</source>
+        <translation>Distance visible, maximale</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Cut by the DEM's edge in view</source>
+        <translation>Coupé par le bord du MNT dans la vue</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cell</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Grid north from true north</source>
+        <translation>Nord de la grille depuis le nord géographique</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Path</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Size, upright</source>
+        <translation>Taille, redressée</translation>
+    </message>
+    <message>
+        <location filename="../core/report_facts.py"/>
+        <source>Taken, camera's time</source>
+        <translation>Prise, heure de l'appareil</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Place and horizon</source>
+        <translation>Lieu et horizon</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Eye and DEM</source>
+        <translation>Œil et MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>1 place</source>
+        <translation>1 lieu</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>{count} places</source>
+        <translation>{count} lieux</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Highest horizon</source>
+        <translation>Horizon le plus haut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>at azimuth</source>
+        <translation>à l'azimut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Mean horizon</source>
+        <translation>Horizon moyen</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Median distance</source>
+        <translation>Distance médiane</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Farthest</source>
+        <translation>Le plus loin</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Facteur de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Cut by DEM edge</source>
+        <translation>Coupé par le bord du MNT</translation>
+    </message>
+    <message>
+        <location filename="../core/report_horizon.py"/>
+        <source>Void</source>
+        <translation>Lacune</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Heading</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Within 3°</source>
+        <translation>À moins de 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Second</source>
+        <translation>Deuxième</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>Residual</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>all</source>
+        <translation>toutes</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>evidence</source>
+        <translation>indices</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>DEM horizon, answer</source>
+        <translation>horizon du MNT, réponse</translation>
+    </message>
+    <message>
+        <location filename="../core/report_overview.py"/>
+        <source>whole picture</source>
+        <translation>image entière</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>language code: en</source>
+        <translation>code de langue : fr</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Made by {software}.</source>
+        <translation>Réalisé par {software}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
+        <translation>Cette page est complète en elle-même et ne charge rien d'un réseau. Touches : j photo suivante, k précédente.</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <location filename="../core/report_page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Paramètres, MNT et logiciel</translation>
     </message>
 </context>
 </TS>

@@ -12,8 +12,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SILENT = {"ValueError", "TypeError", "KeyError", "RuntimeError", "NotImplementedError", "SystemExit", "OSError"}
 """Faults of a programmer, or caught and said again in other words."""
-SPEAKING = {"verdict", "judge"}
-"""Functions that return a status and its sentence."""
+SPEAKING = {"verdict", "judge", "_too_little"}
+"""Functions that return a sentence, or a status and its sentence."""
+ENDINGS = ("_fault", "_refusal", "_notes")
+"""Of the names of others that return sentences."""
 
 
 def sentences():
@@ -47,7 +49,7 @@ def _of_raise(node):
 
 
 def _of_check(node):
-    if not isinstance(node, ast.FunctionDef) or not (node.name.endswith("_fault") or node.name in SPEAKING):
+    if not isinstance(node, ast.FunctionDef) or not (node.name.endswith(ENDINGS) or node.name in SPEAKING):
         return []
     texts = []
     for inner in ast.walk(node):

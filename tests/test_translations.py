@@ -21,7 +21,7 @@ LANGUAGES = translations.LANGUAGES
 
 
 def shell_modules():
-    return [path for pattern in translations.SOURCES for path in sorted(ROOT.glob(pattern))]
+    return [path for pattern in translations.SHELL for path in sorted(ROOT.glob(pattern))]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -2,9 +2,10 @@
 
 Usage: make_translations.py [--compile-only | --check]
 
-The source's strings are the literals inside `tr(...)` and `mark(...)`. What a catalogue already translates stays; new
-strings come in as unfinished, strings that the source no longer has go. A translator edits the .ts files with Qt
-Linguist or by hand; the compiled .qm files are not kept in the repository, `make zip` adds them to the package.
+The source's strings are the literals inside `tr(...)` and `mark(...)`, and inside the `say(...)` of the core. What a
+catalogue already translates stays; new strings come in as unfinished, strings that the source no longer has go. A
+translator edits the .ts files with Qt Linguist or by hand; the compiled .qm files are not kept in the repository,
+`make zip` adds them to the package.
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 CATALOGUES = ROOT / "i18n"
 LANGUAGES = ("de", "es", "fr")
 CONTEXT = "SkylineViewshed"
-SOURCES = ("plugin.py", "processing_provider/*.py", "algorithms/*.py")
+SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/*.py")
+SOURCES = (*SHELL, "core/*.py")
 
 
 def source_strings(root=ROOT):
@@ -45,7 +47,7 @@ def source_strings(root=ROOT):
         calls = [
             node
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("tr", "mark")
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("tr", "mark", "say")
         ]
         for node in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
             argument = node.args[0] if len(node.args) == 1 else None

@@ -46,7 +46,7 @@ def test_every_number_has_a_unit(painted):
     assert groups["Further"] == [("Feature id", "7")]
     assert ("Eye above the DEM", "+1.7\u00a0m") in groups["Place and eye"]
     assert ("Altitude, EXIF", "2\u202f000.0\u00a0m (sea level)") in groups["Place and eye"]
-    assert ("Recorded", "121.0° (true)") in groups["Compass"]
+    assert ("Recorded", "121.0° (from true north)") in groups["Compass"]
     assert ("Grid north from true north", "+0.70°") in groups["DEM horizon"]
     assert ("35 mm equivalent, EXIF", "24.0\u00a0mm") in groups["Lens"]
     assert ("Taken, camera's time", "2024-07-01 06:30:00") in groups["File"]
@@ -54,7 +54,7 @@ def test_every_number_has_a_unit(painted):
 
 def test_magnetic_and_unknown_references_are_said(painted):
     photo = painted()
-    for code, words in (("M", "magnetic"), (None, "unknown reference"), ("X", "unknown reference")):
+    for code, words in (("M", "from magnetic north"), (None, "reference unknown"), ("X", "reference unknown")):
         metadata = replace(photo.metadata, compass_reference=code)
         assert ("Recorded", f"121.0° ({words})") in dict(fact_groups(replace(photo, metadata=metadata)))["Compass"]
 

@@ -1,0 +1,40 @@
+"""Legends of the styles in the user's language: the QML files say them in English."""
+
+from __future__ import annotations
+
+from qgis.core import QgsCategorizedSymbolRenderer, QgsSingleBandPseudoColorRenderer
+
+from .i18n import mark, marked
+
+ENTRIES = (
+    mark("visible"),
+    mark("hidden"),
+    mark("outside the picture"),
+    mark("unknown"),
+    mark("accepted: trust it"),
+    mark("ambiguous: look at the report"),
+    mark("rejected: no answer"),
+    mark("failed: input at fault"),
+    mark("not seen"),
+    mark("1 photo"),
+    mark("2 photos"),
+    mark("3 photos"),
+    mark("4 to 5 photos"),
+    mark("6 to 10 photos"),
+    mark("more than 10 photos"),
+)
+"""What the files in `styles/` say; numbers and units need no translation."""
+
+
+def translate_legend(layer):
+    """Put a layer's legend into the user's language, after its style has been loaded."""
+    renderer = layer.renderer()
+    if isinstance(renderer, QgsCategorizedSymbolRenderer):
+        for index, category in enumerate(renderer.categories()):
+            renderer.updateCategoryLabel(index, marked(category.label()))
+    elif isinstance(renderer, QgsSingleBandPseudoColorRenderer) and renderer.shader() is not None:
+        ramp = renderer.shader().rasterShaderFunction()
+        items = ramp.colorRampItemList()
+        for item in items:
+            item.label = marked(item.label)
+        ramp.setColorRampItemList(items)
