@@ -214,7 +214,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
             terrain, quarter, window, k_max[quarter.by_rows, quarter.sign], sector, sweep_options, sink
         )
         sweep.run(subtask(progress, done / len(views), (done + 1) / len(views)))
-    _mark_observer(sink, frame, terrain, sector, options)
+    mark_observer(sink, frame, terrain.shape, sector, options)
     return Viewshed(window, getattr(sink, "values", None), frame, eye_m, options, sector)
 
 
@@ -239,11 +239,11 @@ def _farthest_lines(frame, window):
     }
 
 
-def _mark_observer(sink, frame, terrain, sector, options):
+def mark_observer(sink, frame, shape, sector, options):
     """The observer's own point belongs to no quarter where it lies on a cell's centre; one sees one's own cell."""
     if sink.wants_clearance or not sector.includes_observer or options.min_distance_m > 0:
         return
-    rows, cols = terrain.shape
+    rows, cols = shape
     row = min(max(int(np.floor(frame.row_px + 0.5)), 0), rows - 1)
     col = min(max(int(np.floor(frame.col_px + 0.5)), 0), cols - 1)
     sink.set(row, col, VISIBLE)

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .curvature import apparent_drop_m
 from .progress import SILENT, checkpoint, subtask
-from .terrain import Window
-from .viewshed import Viewshed, ViewshedOptions, sector_window, viewshed
+from .viewshed import ArraySink, Viewshed, ViewshedOptions, mark_observer, sector_window, viewshed
 
-TILE_ROWS = 256
+CODE_BITS = 8
+"""Of a cell's value, 0, 1 or 255; the bits above it tell in which sectors the cell lies."""
+
+MOST_SECTORS = 32 - CODE_BITS
+"""Swept together; more are taken in several sweeps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,11 +23,7 @@ class AnyOf:
     sectors: tuple
 
     selective, azimuth_only = True, False
-
-    @property
-    def includes_observer(self):
-        """Whether any of them counts the observer's own cell."""
-        return any(sector.includes_observer for sector in self.sectors)
+    includes_observer = False  # each sector on its own decides it
 
     @property
     def azimuth_range_deg(self):
@@ -40,9 +38,20 @@ class AnyOf:
         """See `FullCircle.touches`."""
         return np.logical_or.reduce([sector.touches(azimuth_deg, margin_deg) for sector in self.sectors])
 
-    def accepts(self, azimuth_deg, elevation_deg, distance_m):
-        """See `FullCircle.accepts`."""
-        return np.logical_or.reduce([sector.accepts(azimuth_deg, elevation_deg, distance_m) for sector in self.sectors])
+    def marks(self, azimuth_deg, elevation_deg, distance_m):
+        """One bit per sector for every direction, above a cell's own value: uint32."""
+        marks = np.zeros(np.shape(azimuth_deg), np.uint32)
+        for number, sector in enumerate(self.sectors):
+            inside = sector.accepts(azimuth_deg, elevation_deg, distance_m)
+            marks |= inside.astype(np.uint32) << np.uint32(CODE_BITS + number)
+        return marks
+
+
+class _MarkedSink(ArraySink):
+    """Cells' values with the sectors' marks."""
+
+    def __init__(self, window):
+        super().__init__(window, np.uint32)
 
 
 def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
@@ -57,46 +66,40 @@ def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), pro
     Yields
     ------
     Viewshed
-        One per sector, in order, each whole before the next; the same as `viewshed` gives for it alone, but for
-        cells that lie on a sector's edge to the last digit.
+        One per sector, in order, each whole before the next; cell for cell what `viewshed` gives for it alone.
     """
-    together = viewshed(terrain, observer, AnyOf(tuple(sectors)), options, subtask(progress, 0.0, 0.7))
-    for done, sector in enumerate(sectors):
-        checkpoint(progress, 0.7 + 0.3 * done / len(sectors))
-        window = sector_window(together.frame, terrain.shape, sector, options.max_distance_m)
-        values = _cut(together, window)
-        _select(terrain, together, window, values, sector)
-        yield Viewshed(window, values, together.frame, together.eye_elevation_m, options, sector)
+    sectors = tuple(sectors)
+    for first in range(0, len(sectors), MOST_SECTORS):
+        some = sectors[first : first + MOST_SECTORS]
+        share = first / len(sectors), (first + len(some)) / len(sectors)
+        yield from _together(terrain, observer, some, options, subtask(progress, *share))
 
 
-def _cut(whole, window):
-    """Values of a part of a viewshed's window; what lies outside is 0."""
-    values = np.zeros((window.rows, window.cols), np.uint8)
+def _together(terrain, observer, sectors, options, progress):
+    if len(sectors) == 1:
+        yield viewshed(terrain, observer, sectors[0], options, progress)
+        return
+    whole = viewshed(terrain, observer, AnyOf(sectors), options, subtask(progress, 0.0, 0.9), _MarkedSink)
+    for number, sector in enumerate(sectors):
+        checkpoint(progress, 0.9 + 0.1 * number / len(sectors))
+        window = sector_window(whole.frame, terrain.shape, sector, options.max_distance_m)
+        sink = ArraySink(window)
+        _take(whole, number, window, sink.values)
+        mark_observer(sink, whole.frame, terrain.shape, sector, options)
+        yield Viewshed(window, sink.values, whole.frame, whole.eye_elevation_m, options, sector)
+
+
+def _take(whole, number, window, values):
+    """Write the cells with one sector's mark into its own window's values."""
     top, left = max(window.row, whole.window.row), max(window.col, whole.window.col)
     bottom = min(window.row + window.rows, whole.window.row + whole.window.rows)
     right = min(window.col + window.cols, whole.window.col + whole.window.cols)
-    if top < bottom and left < right:
-        values[top - window.row : bottom - window.row, left - window.col : right - window.col] = whole.values[
-            top - whole.window.row : bottom - whole.window.row, left - whole.window.col : right - whole.window.col
-        ]
-    return values
-
-
-def _select(terrain, whole, window, values, sector):
-    """Strike out, in place, the cells that a sector does not accept."""
-    frame, options = whole.frame, whole.options
-    own = round(frame.row_px) - window.row, round(frame.col_px) - window.col
-    for first in range(0, window.rows, TILE_ROWS):
-        strip = values[first : first + TILE_ROWS]
-        row, col = np.nonzero(strip)
-        if not len(row):
-            continue
-        piece = terrain.read(Window(window.row + first, window.col, len(strip), window.cols))[row, col]
-        east, north = frame.to_local(col + window.col, row + window.row + first)
-        distance = np.maximum(np.hypot(east, north), 1e-6)
-        drop = apparent_drop_m(distance, options.refraction_coefficient) if options.curvature else 0.0
-        rise = piece + options.target_height_m - whole.eye_elevation_m - drop
-        accepted = sector.accepts(np.degrees(np.arctan2(east, north)), np.degrees(np.arctan(rise / distance)), distance)
-        if sector.includes_observer:
-            accepted |= (row + first == own[0]) & (col == own[1])
-        strip[row[~accepted], col[~accepted]] = 0
+    if top >= bottom or left >= right:
+        return
+    cells = whole.values[
+        top - whole.window.row : bottom - whole.window.row, left - whole.window.col : right - whole.window.col
+    ]
+    mine = cells >> np.uint32(CODE_BITS + number) & np.uint32(1)
+    values[top - window.row : bottom - window.row, left - window.col : right - window.col] = cells.astype(
+        np.uint8
+    ) * mine.astype(np.uint8)

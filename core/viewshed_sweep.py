@@ -225,6 +225,7 @@ class QuarterSweep:
             asked = between == EDGE
             self._select(np.where(asked, value, 0), value, k, w, distance, tangent)
         elif self.sector.selective:
+            value = value.astype(self.sink.dtype, copy=False)
             self._select(value, value, k, w, distance, tangent)
         self._scatter(result, active, value)
 
@@ -238,7 +239,7 @@ class QuarterSweep:
         return mine
 
     def _select(self, asked, value, k, w, distance, tangent):
-        """Ask the sector about cells that are seen or unknown, one by one."""
+        """Ask the sector about cells that are seen or unknown, one by one; a set of sectors leaves its marks."""
         line, cell = np.nonzero(asked)
         if not len(line):
             return
@@ -248,7 +249,12 @@ class QuarterSweep:
             low, high = (Table.along(self.quarter.bend.line(end), place) for end in (k[0], k[-1]))
             u = u + low + (high - low) * shares(k)[line]
         azimuth = self.quarter.azimuth_deg(u)
-        accepted = self.sector.accepts(azimuth, np.degrees(np.arctan(tangent[line, cell])), distance[line, cell])
+        directions = azimuth, np.degrees(np.arctan(tangent[line, cell])), distance[line, cell]
+        if hasattr(self.sector, "marks"):
+            marks = self.sector.marks(*directions)
+            value[line, cell] = np.where(marks > 0, value[line, cell] | marks, 0)
+            return
+        accepted = self.sector.accepts(*directions)
         value[line[~accepted], cell[~accepted]] = 0
 
     @staticmethod
