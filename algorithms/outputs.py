@@ -66,7 +66,13 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
 def _written(algorithm, parameters, name, context, kind, rows, path=None):
     """Create the sink and fill it; `path` is what the user calls the file that QGIS writes elsewhere."""
     fields, geometry_type, crs = kind
-    sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
+    try:
+        sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
+    except QgsProcessingException as error:
+        if path is None:
+            raise
+        # "Could not create layer ...: Creation of data source failed (OGR error: ... failed: database or disk is full)"
+        raise unwritable(path, str(error).rsplit(": ", 1)[-1].rstrip(").") or "QGIS cannot create it") from error
     if sink is None:
         if parameters.get(name) is None:
             return None
@@ -155,7 +161,10 @@ def make_folder_of(value):
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        reason = error.strerror or str(error)
-        raise OutputError(
-            f"The file {path} cannot be written: {reason}. Choose another folder or free some space."
-        ) from None
+        raise unwritable(path, error) from None
+
+
+def unwritable(path, error):
+    """Make the `OutputError` for a file from what the system, or QGIS, has said."""
+    reason = getattr(error, "strerror", None) or str(error)
+    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")

@@ -4,25 +4,36 @@ from __future__ import annotations
 
 import os
 import secrets
+from contextlib import suppress
 from pathlib import Path
 
 from ..core.errors import MissingPackageError, PhotoError
 from .feedback import warn
 from .i18n import tr
+from .outputs import make_folder_of, unwritable
 
 PREVIEW_PX = 1600
 
 
 def write_whole(path, content):
-    """Write bytes or text under a temporary name and rename."""
+    """Write bytes or text under a temporary name and rename; the folder is made.
+
+    Raises
+    ------
+    OutputError
+    """
     path = Path(path)
+    make_folder_of(str(path))
     part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
     data = content.encode("utf-8") if isinstance(content, str) else content
     try:
         part.write_bytes(data)
         os.replace(part, path)
+    except OSError as error:
+        raise unwritable(path, error) from None
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink()
 
 
 class PictureFolder:
@@ -61,7 +72,6 @@ class PictureFolder:
         try:
             picture = read_photo(photo.path, PREVIEW_PX)
             drawn = annotate(picture.pixels, picture.metadata.width_px, points, strokes)
-            self.folder.mkdir(parents=True, exist_ok=True)
             stem = self.stem(photo.name)
             write_whole(self.folder / f"{stem}.png", encode_png(annotation_pixels(drawn), quickly=True))
             write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn))

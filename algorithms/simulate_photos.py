@@ -17,6 +17,7 @@ from .feedback import FeedbackProgress, announce, warn
 from .fields import is_null
 from .i18n import tr
 from .layers import read_points
+from .outputs import make_folder_of
 
 POSE_FIELDS = ("HEADING_FIELD", "PITCH_FIELD", "ROLL_FIELD", "HFOV_FIELD", "HEIGHT_FIELD")
 FORMATS = ("jpg", "heic")
@@ -95,7 +96,6 @@ class SimulatePhotos(SkylineAlgorithm):
         suffix = FORMATS[self.parameterAsEnum(parameters, "FORMAT", context)]
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         folder = Path(self.parameterAsString(parameters, "FOLDER", context))
-        folder.mkdir(parents=True, exist_ok=True)
         dem, scene, taken, count = self.dem.open(), scene_of(self, parameters, context), set(), 0
         for index, row in enumerate(rows):
             announce(feedback, row.name, index, len(rows))
@@ -103,8 +103,10 @@ class SimulatePhotos(SkylineAlgorithm):
             if None in (row.longitude_deg, row.numbers["HEADING_FIELD"]):
                 warn(feedback, row.name, tr("The point has no usable position or no heading."))
                 continue
+            target = folder / f"{stem_of(row, taken)}.{suffix}"
+            make_folder_of(str(target))
             try:
-                simulate(dem, row, size, eye_height_m, scene, folder / f"{stem_of(row, taken)}.{suffix}", part)
+                simulate(dem, row, size, eye_height_m, scene, target, part)
                 count += 1
             except PhotoError as error:
                 warn(feedback, row.name, str(error))

@@ -12,6 +12,7 @@ from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
+from .outputs import make_folder_of
 
 FRAME_WIDTH_PX = 4000
 """Width of the picture where only its fields of view are known; fine enough that its edges fall within a cell."""
@@ -194,8 +195,8 @@ class Viewer:
 
         if not self.folder:
             return compute()
-        Path(self.folder).mkdir(parents=True, exist_ok=True)
         path = Path(self.folder) / f"{file_stem(sight, self._names)}.tif"
+        make_folder_of(str(path))
         mark = fingerprint(self.dem, observer, sector, self.options)
         facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
         found, computed = viewshed_once(str(path), self.dem, mark, compute, facts)

@@ -138,8 +138,13 @@ def _by_gdal(path, kind):
 
 
 def _numbers(text):
-    """Undo GDAL's printing: "(43) (28) (2.8)", "112" or "0x00"."""
-    return [int(word, 16) if word[:2] == "0x" else float(word) for word in re.findall(r"0x[0-9A-Fa-f]+|[-+.\w]+", text)]
+    """Undo GDAL's printing: "(43) (28) (2.8)", "112" or "0x00"; a tag that holds no numbers gives none."""
+    text = text.decode("ascii", "replace") if isinstance(text, bytes) else text  # what is no UTF-8 comes as bytes
+    words = re.findall(r"0x[0-9A-Fa-f]+|[-+.\w]+", text)
+    try:
+        return [int(word, 16) if word[:2] == "0x" else float(word) for word in words]
+    except ValueError:
+        return []
 
 
 def _normal(raw):

@@ -26,6 +26,8 @@ from ..pixel_features import PixelFeature, downward, open_ring
 CORNER_PX = 0.5
 MAX_BYTES = 200_000_000
 CIRCLE_CORNERS = 32
+INCOMPLETE = (KeyError, IndexError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+"""What a file raises that has the form of a format and not its content."""
 
 _PHOTO = ("photo", "image", "filename", "file_name", "file", "path", "imagepath", "#filename")
 _X = ("x", "x_px", "px", "pixel_x", "col", "column", "u", "image_x")
@@ -53,7 +55,10 @@ def read_features(path):
     text = _text(path)
     if text.lstrip()[:1] in ("{", "["):
         return _from_json(path, text)
-    return _from_csv(path, text)
+    try:
+        return _from_csv(path, text)
+    except csv.Error as error:  # a null character, a field of more than 128 kB
+        raise UnreadableFeaturesError(path, f"an entry is incomplete ({error!r:.120}).") from None
 
 
 def _text(path):
@@ -83,7 +88,15 @@ def _from_json(path, text):
         if isinstance(data, dict) and fits(data):
             try:
                 return read(data)
-            except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
+            except (
+                KeyError,
+                IndexError,
+                TypeError,
+                ValueError,
+                AttributeError,
+                OverflowError,
+                RecursionError,
+            ) as error:
                 raise UnreadableFeaturesError(path, f"an entry is incomplete ({error!r:.120}).") from None
     raise UnreadableFeaturesError(
         path, "it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y."
@@ -206,7 +219,9 @@ def _from_csv(path, text):
         try:
             place = float(row[x]), float(row[y])
         except (TypeError, ValueError):
-            raise UnreadableFeaturesError(path, f"line {number + 2} has no numbers for x and y.") from None
+            place = np.nan, np.nan
+        if not np.isfinite(place).all():
+            raise UnreadableFeaturesError(path, f"line {number + 2} has no numbers for x and y.")
         # Rows of one group are the vertices of one line or area, in order; without a group each is a point.
         named = (row.get(photo) or "") if photo else ""
         key = (named, row.get(group) or number) if group else (named, number)
@@ -237,11 +252,11 @@ def _via_csv(path, rows):
             shape = json.loads(row["region_shape_attributes"] or "{}")
             given = json.loads(row.get("region_attributes") or "{}")
             drawn = _via_shape(shape)
-        except (ValueError, KeyError, TypeError, AttributeError) as error:
+            if drawn is not None:
+                photo = row.get("filename") or row.get("#filename") or ""
+                features.append(_feature(photo, *drawn, _first(given), _plain(given)))
+        except INCOMPLETE as error:
             raise UnreadableFeaturesError(path, f"line {number + 2} is incomplete ({error!r:.120}).") from None
-        if drawn is not None:
-            photo = row.get("filename") or row.get("#filename") or ""
-            features.append(_feature(photo, *drawn, _first(given), _plain(given)))
     return features
 
 

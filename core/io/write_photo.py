@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import secrets
 from contextlib import suppress
@@ -73,11 +74,14 @@ def write_photo(path, pixels, metadata, quality=92):
     picture = image_module.fromarray(stored)
     exif = _exif(image_module, metadata, orientation)
     part = os.path.join(os.path.dirname(path), f".skyline-{secrets.token_hex(6)}.part{suffix}")
+    memory = io.BytesIO()  # written to a file, Pillow takes half a picture on a full disk for a whole one
+    if heif is not None:
+        heif.from_pillow(picture).save(memory, quality=quality, exif=exif)
+    else:
+        picture.save(memory, "JPEG", quality=quality, exif=exif, subsampling=2 if quality < 95 else 0)
     try:
-        if heif is not None:
-            heif.from_pillow(picture).save(part, quality=quality, exif=exif)
-        else:
-            picture.save(part, "JPEG", quality=quality, exif=exif, subsampling=2 if quality < 95 else 0)
+        with open(part, "wb") as file:
+            file.write(memory.getbuffer())
         os.replace(part, path)
     except OSError as error:
         raise OutputError(

@@ -94,7 +94,7 @@ def _create(part, window, dtype, bands, alpha=False):
 
 
 def _output_error(path, messages, error):
-    reason = "; ".join(dict.fromkeys(messages)) or getattr(error, "strerror", None) or str(error)
+    reason = (messages[0] if messages else "") or getattr(error, "strerror", None) or str(error)
     folder = os.path.dirname(path) or "."
     if not os.path.isdir(folder):
         reason = f"the folder {folder} does not exist"

@@ -150,3 +150,15 @@ def test_a_picture_without_metadata_has_none(tmp_path):
     path = tmp_path / "a.jpg"
     Image.new("RGB", (8, 8)).save(path)
     assert exif.read_tags(str(path), "jpeg") == {}
+
+
+@pytest.mark.parametrize("text", [b"Maker", b"\xff\xfe\xfdab", b"1e2.3"])
+def test_a_number_that_is_text_harms_no_other_tag(tmp_path, text):
+    """Found by fuzzing: GDAL hands over text where a number belongs, and bytes where the text is no UTF-8."""
+    path = tmp_path / "photo.jpg"
+    path.write_bytes(photo_bytes(exif={0xA002: "Maker", 0xA405: 24}).replace(b"Maker", text))
+    for name, reader in READERS.items():
+        if installed(name):
+            tags = reader(str(path), "jpeg")
+            assert tags["FocalLengthIn35mmFilm"] == (24.0,), name
+            assert all(isinstance(value, float) for value in tags.get("PixelXDimension", ())), name

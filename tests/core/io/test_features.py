@@ -179,3 +179,29 @@ def test_only_a_picture_hung_below_zero_is_turned_over():
     assert downward(()) == ()
     with pytest.raises(ValueError, match="kind"):
         PixelFeature("a", "circle", ())
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("photo,x,y\na.jpg,nan,4\n", "line 2 has no numbers for x and y"),
+        ("photo,x,y\na.jpg,1,2\na.jpg,1e999,4\n", "line 3 has no numbers for x and y"),
+        ("photo,x,y\n" + "a" * 200_000 + ",1,2\n", "an entry is incomplete"),
+        (
+            'filename,region_shape_attributes\na.jpg,"{""name"":""point"",""cx"":NaN,""cy"":2}"\n',
+            "line 2 is incomplete",
+        ),
+        ({"shapes": [{"points": [[10**400, 1]], "shape_type": "point"}]}, "an entry is incomplete"),
+        (
+            '{"type":"Feature","properties":{},"geometry":'
+            + '{"type":"GeometryCollection","geometries":[' * 700
+            + "]}" * 700
+            + "}",
+            "is incomplete|no valid JSON",
+        ),
+    ],
+)
+def test_what_fuzzing_found_is_refused_in_a_sentence(saved, content, said):
+    with pytest.raises(UnreadableFeaturesError, match=said) as caught:
+        read_features(saved(content))
+    assert str(caught.value).endswith(".")

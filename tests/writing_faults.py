@@ -1,0 +1,161 @@
+"""Run every algorithm once for each of its outputs where that output cannot be written (a process of its own).
+
+    writing_faults.py MODE SCENE FOLDER [ALGORITHM...]
+
+MODE is `full` (FOLDER lies on a disk of its own, which is filled), `limit` (no file can grow, the next best thing where
+nobody may mount a disk) or `closed` (FOLDER becomes read-only). Prints a JSON object: for each case what was said,
+whether an older result has stayed as it was, and what else has appeared in FOLDER.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import sys
+from contextlib import suppress
+from pathlib import Path
+
+MODE, SCENE, FOLDER = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
+CHOSEN = sys.argv[4:]
+LIMIT_BYTES = 64
+OLDER = b"older"
+
+
+def main():
+    from qgis.core import QgsApplication
+
+    application = QgsApplication([], False)
+    application.initQgis()
+    sys.path.append(str(Path(QgsApplication.pkgDataPath()) / "python" / "plugins"))
+    from processing.core.Processing import Processing
+    from skyline_viewshed.processing_provider.provider import SkylineViewshedProvider
+
+    Processing.initialize()
+    provider = SkylineViewshedProvider()
+    QgsApplication.processingRegistry().addProvider(provider)
+    cases = {name: given for name, given in inputs().items() if not CHOSEN or name in CHOSEN}
+    spoil_folder([path_of(provider.algorithm(name), output) for name in cases for output in outputs_of(provider, name)])
+    found = {}
+    for name, given in cases.items():
+        outputs = outputs_of(provider, name)
+        # Only the outputs that every run has need a place; the others are left out.
+        others = {item.name(): "TEMPORARY_OUTPUT" for item in outputs if not is_optional(item)}
+        for output in outputs:
+            found[f"{name}:{output.name()}"] = one_case(provider.algorithm(name), {**given, **others}, output)
+    print(json.dumps(found))
+    sys.stdout.flush()
+    os._exit(0)  # QGIS's own farewell is not what is tested
+
+
+def outputs_of(provider, name):
+    return [item for item in provider.algorithm(name).parameterDefinitions() if item.isDestination()]
+
+
+def is_optional(definition):
+    from qgis.core import QgsProcessingParameterDefinition
+
+    return bool(definition.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional)
+
+
+def path_of(algorithm, output):
+    kind = type(output).__name__
+    suffix = {"QgsProcessingParameterFeatureSink": ".gpkg", "QgsProcessingParameterRasterDestination": ".tif",
+              "QgsProcessingParameterFileDestination": ".html"}.get(kind, "")  # fmt: skip
+    return FOLDER / f"{algorithm.name()}_{output.name().lower()}{suffix}"
+
+
+def spoil_folder(paths):
+    """Put older results in place; then take the room, or the right to write."""
+    for path in paths:
+        if path.suffix:
+            path.write_bytes(OLDER)
+    if MODE == "closed":
+        FOLDER.chmod(0o555)
+    if MODE == "full":
+        with suppress(OSError), open(FOLDER / "filler", "wb", buffering=0) as file:
+            for _ in range(10_000):  # a small disk; a large one would be somebody's own
+                file.write(bytes(4096))
+
+
+def one_case(algorithm, parameters, output):
+    """Run with one output in FOLDER; gives (message, whether the older result is as it was, what is new)."""
+    import processing
+    from qgis.core import QgsProcessingException, QgsProcessingFeedback
+
+    path, before = path_of(algorithm, output), set(FOLDER.rglob("*"))
+    feedback, said = QgsProcessingFeedback(False), "succeeded"
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    if MODE == "limit":
+        resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT_BYTES, limits[1]))
+    try:
+        processing.run(algorithm.id(), {**parameters, output.name(): str(path)}, feedback=feedback)
+    except QgsProcessingException as error:
+        said = f"{error}\n{feedback.textLog()}"
+    except Exception as error:
+        said = f"Traceback {error!r}"
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    new = sorted(str(item.relative_to(FOLDER)) for item in set(FOLDER.rglob("*")) - before)
+    return said, not path.suffix or path.read_bytes() == OLDER, new
+
+
+def inputs():
+    """Parameters of each algorithm, for a job as small as can be."""
+    from qgis.PyQt.QtCore import QVariant
+
+    scene = json.loads((SCENE / "scene.json").read_text())
+    real, text = QVariant.Double, QVariant.String
+    pose = ("heading", "pitch", "roll", "hfov", "vfov")
+    photo = [scene["photo"], *(scene[name] for name in pose)]
+    fields = [("photo", text), *((name, real) for name in pose)]
+    at = f"Point({scene['longitude']!r} {scene['latitude']!r})"
+    points = layer("Point?crs=EPSG:4326", fields, [(at, photo)])
+    ahead = layer("Point?crs=EPSG:4326", [("name", text)], [(scene["seen"], ["x"])])
+    drawn = [("photo", text), ("x", real), ("y", real), ("label", text)]
+    pixels = layer("NoGeometry", drawn, [(None, [scene["photo"], 400, 500, "slope"])])
+    line = scene["line"]
+    table = SCENE / "drawn.csv"
+    table.write_text(f"photo,x,y,feature,kind\n{line}")
+    common = {"INPUT": points, "DEM": scene["dem"], "MAX_DISTANCE": 3000}
+    names = ("x_extracted", "y_extracted", "x_synthetic", "y_synthetic", "width", "height", "hfov", "vfov")
+    offsets = [("photo", text), *((name, real) for name in names)]
+    offsets = layer("NoGeometry", offsets, [(None, ["a", 100, 200, 150, 190, 1000, 500, 60.0, 30.0])])
+    return {
+        "importphotos": {"FOLDER": str(SCENE / "odd")},
+        "orientphotos": {"INPUT": points, "DEM": scene["dem"]},
+        "photoviewshed": {"FOLDER": scene["folder"], "DEM": scene["dem"], "MAX_DISTANCE": 3000},
+        "directedviewshed": common,
+        "extractskyline": {"INPUT": points},
+        "horizonprofile": {"INPUT": points, "DEM": scene["dem"], "MAX_DISTANCE": 3000},
+        "simulatephotos": {"INPUT": points, "DEM": scene["dem"], "WIDTH": 200, "HEIGHT": 150},
+        "measureoffsets": {"INPUT": offsets},
+        "drapephoto": common,
+        "labelpeaks": {**common, "PEAKS": ahead},
+        "maptopixel": {**common, "FEATURES": ahead, "NAME_FIELD": "name"},
+        "pixeltomap": {**common, "PIXELS": pixels, "PIXEL_FILE": str(table)},
+        "panorama": {**common, "PEAKS": ahead},
+        "photocoverage": common,
+        "whichphotos": {**common, "PLACES": ahead, "NAME_FIELD": "name"},
+    }
+
+
+def layer(kind, fields, rows):
+    """Layer in memory from rows of (WKT or None, attributes)."""
+    from qgis.core import QgsFeature, QgsField, QgsGeometry, QgsProject, QgsVectorLayer
+
+    made = QgsVectorLayer(kind, "layer", "memory")
+    made.dataProvider().addAttributes([QgsField(name, type_) for name, type_ in fields])
+    made.updateFields()
+    for wkt, attributes in rows:
+        feature = QgsFeature(made.fields())
+        if wkt:
+            feature.setGeometry(QgsGeometry.fromWkt(wkt))
+        feature.setAttributes(attributes)
+        made.dataProvider().addFeature(feature)
+    QgsProject.instance().addMapLayer(made)
+    return made
+
+
+if __name__ == "__main__":
+    main()
