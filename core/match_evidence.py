@@ -4,12 +4,13 @@ The evidence map gives p(row | column). A horizon that should lie at row y, know
 and a column that is explained by something else altogether with probability e, make the likelihood ratio
 against an uninformed column
 
-    B(column, y; s) = log((1 - e) / e * H * (p(. | column) convolved with N(0, s))(y) + P(below) + a P(above)),
+    B(column, y; s) = log((1 - e) / e * (H * (p(. | column) convolved with N(0, s))(y) + t / q * Phi(-y / s))
+                          + P(below) + a P(above)),
 
-where `below` and `above` tell on which side of y the column's boundary lies. Clouds and haze hide the ridge, so that
-the boundary seen lies below the horizon, more often than trees and people rise above it: a < 1. B saturates: a
-column that the horizon does not explain costs at most log(a) against one where the horizon is above the frame,
-which earns nothing.
+where `below` and `above` tell on which side of y the column's boundary lies, and t is the probability that the ridge
+leaves the frame at the top, q what that is in an uninformed column. Clouds and haze hide the ridge, so that the
+boundary seen lies below the horizon, more often than trees and people rise above it: a < 1. B saturates: a column
+that the horizon does not explain costs at most log(a). Above the frame B is log((1 - e) / e * t / q + 1 - t).
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft
+from scipy import fft, special
 
 EDGE_ROW = 0.5
 """Evidence counts first terrain pixels: a boundary at row r, in pixel centres, is the upper edge of row r + 0.5."""
@@ -36,12 +37,15 @@ class EvidenceOptions:
         e above: columns whose boundary is something else (cloud, tree, person).
     above_share : float
         a above.
+    leaving_share : float
+        q above: share of the columns of a mountain photograph whose ridge leaves the frame.
     finest_px, coarsest_px, levels : float, float, int
         Tolerances for which B is tabulated, in geometric progression [pixels of the reduced picture].
     """
 
     outlier_share: float = 0.2
     above_share: float = 0.5
+    leaving_share: float = 0.08
     finest_px: float = 0.7
     coarsest_px: float = 30.0
     levels: int = 9
@@ -51,6 +55,8 @@ class EvidenceOptions:
             raise ValueError(f"the outlier share must lie between 0 and 1, not {self.outlier_share}")
         if not 0 < self.above_share <= 1:
             raise ValueError(f"above_share must lie in (0, 1], not {self.above_share}")
+        if not 0 < self.leaving_share < 1:
+            raise ValueError(f"leaving_share must lie between 0 and 1, not {self.leaving_share}")
         if not 0 < self.finest_px < self.coarsest_px or self.levels < 2:
             raise ValueError("tolerances must grow from finest_px > 0 over at least two levels")
 
@@ -63,29 +69,38 @@ class EvidenceStack:
     probability : (h, w) array
         p(row | column), as `model.SkylineEvidence` has it.
     options : EvidenceOptions
+    leaves_frame : (w,) array or None
+        Probability that the ridge leaves the frame.
 
     Attributes
     ----------
+    above_frame : (w,) array
+        B of a horizon above the picture.
     shape : tuple
         (h, w) of the reduced picture.
     informative : (M,) int array
         Columns that say anything at all about the skyline; all of them where none does.
     """
 
-    def __init__(self, probability, options=EvidenceOptions()):
+    def __init__(self, probability, options=EvidenceOptions(), leaves_frame=None):  # noqa: B008 - frozen
         self.options = options
         self.shape = probability.shape
+        leaves = np.zeros(self.shape[1]) if leaves_frame is None else np.asarray(leaves_frame, float)
+        self._leaving = (leaves / options.leaving_share).astype(np.float32)
+        odds = (1 - options.outlier_share) / options.outlier_share
+        self.above_frame = np.log(odds * self._leaving + 1 - leaves)
         self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
         self._probability = np.asarray(probability, np.float32)
-        telling = self.informative_columns(probability)
+        telling = self.informative_columns(probability, leaves)
         self.informative = telling if len(telling) else np.arange(self.shape[1])
         self._table = self._blurred(self.tolerance_px)
         self._log_step = np.log(self.tolerance_px[1] / self.tolerance_px[0])
 
     @staticmethod
-    def informative_columns(probability):
+    def informative_columns(probability, leaves_frame=0.0):
         """Indices of the columns that say anything at all about the skyline."""
-        return np.flatnonzero(probability.max(axis=0) * probability.shape[0] > INFORMATIVE)
+        peak = np.maximum(probability.max(axis=0) * probability.shape[0], leaves_frame / EvidenceOptions.leaving_share)
+        return np.flatnonzero(peak > INFORMATIVE)
 
     def at_tolerance(self, tolerance_px):
         """B as an (h, w) map for one tolerance [pixels of the reduced picture]."""
@@ -103,7 +118,7 @@ class EvidenceStack:
         Returns
         -------
         array
-            B; 0 above the picture and log(a) below it.
+            B; `above_frame` above the picture and log(a) below it.
         """
         height = self.shape[0]
         row_px = row_px + EDGE_ROW
@@ -121,7 +136,8 @@ class EvidenceStack:
         fine = flat[first] * (1 - between_rows) + flat[first + width] * between_rows
         wide = flat[first + tall] * (1 - between_rows) + flat[first + tall + width] * between_rows
         value = fine * (1 - between_tiers) + wide * between_tiers
-        outside = np.where(row_px > height - 1, np.log(self.options.above_share), 0.0)
+        outside = np.where(row_px > height - 1, np.log(self.options.above_share), self.above_frame[column])
+        outside = np.where(np.isnan(row_px), 0.0, outside)
         return np.where(inside, value, outside)
 
     def _blurred(self, tolerance_px):
@@ -131,11 +147,13 @@ class EvidenceStack:
         spectrum = fft.rfft(self._probability, n=size, axis=0)
         frequency = 2 * np.pi * np.arange(spectrum.shape[0]) / size
         table = np.empty((len(tolerance_px), *self.shape), np.float32)
+        leaves = self._leaving * np.float32(self.options.leaving_share)
         for level, tolerance in enumerate(tolerance_px):
             damp = np.exp(-0.5 * np.square(tolerance * frequency)).astype(np.float32)
             blurred = fft.irfft(spectrum * damp[:, None], n=size, axis=0)[:height]
             blurred = np.maximum(blurred, 0)
-            above = np.minimum(np.cumsum(blurred, axis=0), 1)
+            above = np.minimum(np.cumsum(blurred, axis=0) + leaves, 1)
             other = 1 - (1 - self.options.above_share) * above
-            table[level] = np.log((1 - share) / share * height * blurred + other)
+            top = special.ndtr(-np.arange(height) / tolerance).astype(np.float32)[:, None] * self._leaving
+            table[level] = np.log((1 - share) / share * (height * blurred + top) + other)
         return table

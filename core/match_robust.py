@@ -44,6 +44,9 @@ class RobustOptions:
     Attributes
     ----------
     evidence, search, refine, ridges, posterior : options of the stages
+    short_scales : tuple of float
+        Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then as fine as the
+        right answer can stand, since at a wide tolerance a wrong answer scores like a right one.
     full_fits : int
         Candidates that get the full fit.
     same_answer_deg : float
@@ -57,6 +60,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
+    short_scales: tuple = (3.0, 1.0, 0.5)
     full_fits: int = 14
     same_answer_deg: float = 1.5
     heading_floor_deg: float = 0.1
@@ -193,7 +197,7 @@ def find_answers(
     height, width = evidence.probability.shape
     camera = camera_prior.camera.scaled(width, height)
     curve = HorizonCurve(horizon)
-    stack = EvidenceStack(evidence.probability, options.evidence)
+    stack = EvidenceStack(evidence.probability, options.evidence, evidence.leaves_frame)
     marks = scale_landmarks(landmarks, camera_prior.camera, camera)
     objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks)
     coarse = coarse_search(
@@ -238,20 +242,25 @@ def _bonus(objective, trials, heading_prior, crests, options):
 def _fit(objective, starts, bonus, options, progress):
     """Short fits of all candidates, full fits of the best distinct ones; returns distinct trials and scores."""
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
-    trials, score = refine(objective, trials, 3.0, stride=4, progress=subtask(progress, 0.0, 0.5))
+    trials, score = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
     kept = distinct(trials[:, 0], score + bonus(trials), options.same_answer_deg)[: options.full_fits]
-    trials = trials[kept]
-    best, best_score = trials.copy(), np.full(len(trials), -np.inf)
     scales = sorted(options.refine.error_scales, reverse=True)
-    for index, scale in enumerate(scales):
-        part = subtask(progress, 0.5 + 0.5 * index / len(scales), 0.5 + 0.5 * (index + 1) / len(scales))
-        trials, score = refine(objective, trials, scale, progress=part)
-        better = score > best_score
-        best[better], best_score[better] = trials[better], score[better]
+    best, best_score = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
     best_score = best_score + bonus(best)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept]
+
+
+def _best_over_scales(objective, trials, scales, stride, progress):
+    """Fit all trials at one tolerance after the other; each keeps its best place and score."""
+    best, best_score = trials.copy(), np.full(len(trials), -np.inf)
+    for index, scale in enumerate(scales):
+        part = subtask(progress, index / len(scales), (index + 1) / len(scales))
+        trials, score = refine(objective, trials, scale, stride, progress=part)
+        better = score > best_score
+        best[better], best_score[better] = trials[better], score[better]
+    return best, best_score
 
 
 def _pose(trial):

@@ -20,6 +20,9 @@ from .progress import SILENT, checkpoint
 ELEVATION_RANGE_DEG = (-60.0, 85.0)
 """Elevation angles of the raster; horizons from inside gorges rise above 50 degrees."""
 
+ABOVE_FRAME_DEG = 10.0
+"""How far above the picture a horizon may lie and still count as leaving it."""
+
 
 @dataclass(frozen=True)
 class SearchOptions:
@@ -109,6 +112,8 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     elevation = curve.elevation_at(heading)
     drawn = fft.rfft(_drawn_line(elevation, step, curve.known[curve.nearest(heading)]), axis=1)
     evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
+    # One more row, which stands for all that is above the picture.
+    evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
     pitches = _trial_pitches(probability, camera, elevation, options.pitch_step_deg)
     best = np.full(count, -np.inf)
     best_pitch, best_roll = np.zeros(count), np.zeros(count)
@@ -172,8 +177,11 @@ def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
 
 
 def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_deg):
-    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows."""
-    height, width = evidence.shape
+    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
+
+    The first row of `evidence` stands for all that is above the picture.
+    """
+    height, width = evidence.shape[0] - 1, evidence.shape[1]
     half_diagonal = np.degrees(np.arctan(np.hypot(width, height) / 2 / camera.focal_px))
     reach = int(np.ceil((half_diagonal + 1) / step))
     offset = np.arange(-reach, reach + 1) * step
@@ -181,11 +189,11 @@ def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_de
     half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
     low = ELEVATION_RANGE_DEG[0]
     first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), 0)
-    last = min(int(np.ceil((pitch_deg + half_height + 4 - low) / step)), rows - 1)
+    last = min(int(np.ceil((pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), rows - 1)
     elevation = low + np.arange(first, last + 1) * step
     x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
-    y = np.nan_to_num(y + EDGE_ROW, nan=-9)
-    seen = imaging.sample_bilinear(evidence, np.nan_to_num(x, nan=-9), y)
+    y = np.maximum(y + EDGE_ROW, -1) + 1
+    seen = imaging.sample_bilinear(evidence, np.nan_to_num(x, nan=-9), np.nan_to_num(y, nan=-9))
     # d(column)/d(azimuth): every picture column counts the same.
     seen *= (np.radians(step) * camera.focal_px / np.cos(np.radians(offset)) ** 2 / width)[None, :]
     raster = np.zeros((len(elevation), count), np.float32)

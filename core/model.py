@@ -141,7 +141,8 @@ class SkylineEvidence:
     Attributes
     ----------
     probability : (h, w) float32 array
-        p(first terrain row = y | column); each column sums to 1. A column without information is flat.
+        p(first terrain row = y | column); each column sums to 1, less its `leaves_frame`. A column without
+        information is flat.
     best : Skyline
         The single most likely continuous line, on the reduced picture (for drawing and for the table).
     width_px, height_px : int
@@ -152,6 +153,8 @@ class SkylineEvidence:
         Log-likelihood ratio sky against ground per pixel, clipped, for reports and cloud handling.
     ridge_score : (h, w) float32 array or None
         Evidence of an interior ridge (occlusion edge) per pixel, 0 or more, for second evidence.
+    leaves_frame : (w,) float32 array or None
+        Probability that terrain fills the column, so that its skyline lies above the picture; None: nowhere.
     """
 
     probability: np.ndarray
@@ -161,6 +164,7 @@ class SkylineEvidence:
     crop: tuple = (0, 0, 0, 0)
     sky_score: np.ndarray | None = None
     ridge_score: np.ndarray | None = None
+    leaves_frame: np.ndarray | None = None
 
 
 @dataclass(frozen=True)

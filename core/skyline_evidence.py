@@ -108,14 +108,16 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
     score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     probability = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
     line = best_line(score, options.seam_cost_per_px)
+    inside, leaves_frame = _cut_ridges_apart(probability)
     return SkylineEvidence(
-        _framed(_without_cut_ridges(probability), crop, reduced.shape),
+        _framed(inside, crop, reduced.shape),
         _skyline(line, probability, crop, reduced.shape),
         width_px or width,
         height_px or height,
         crop,
         _framed(ratio, crop, reduced.shape, 0),
         _framed(_ridges(appearance, probability), crop, reduced.shape, 0),
+        np.pad(leaves_frame, (left, right)),
     )
 
 
@@ -140,11 +142,11 @@ def _reduce(pixels, work_px):
     return imaging.shrink(pixels[..., :3], max(1, round(width * factor)), max(1, round(height * factor)))
 
 
-def _without_cut_ridges(probability):
-    """Spread the chance that the ridge leaves the frame (row 0) evenly: such a column says nothing about a row."""
-    spread = probability + probability[:1] / (len(probability) - 1)
-    spread[0] = 0
-    return spread
+def _cut_ridges_apart(probability):
+    """Probability of the rows inside the frame, and per column that the ridge leaves it (row 0)."""
+    inside = probability.copy()
+    inside[0] = 0
+    return inside, probability[0].astype(np.float32)
 
 
 def _skyline(line, probability, crop, shape):

@@ -39,6 +39,20 @@ def test_rows_outside_the_picture_earn_nothing():
     assert value.tolist() == [0, 0, np.log(0.5)]
 
 
+def test_a_ridge_that_leaves_the_frame_speaks_for_a_horizon_above_it():
+    probability = np.zeros((100, 2), np.float32)
+    probability[60, 0] = 1
+    options = EvidenceOptions(outlier_share=0.2, leaving_share=0.1)
+    stack = EvidenceStack(probability, options, np.array([0.0, 1.0]))
+    rows, tolerance = np.array([-40.0, 5.0, 60.0]), np.full(3, 2.0)
+    seen, cut = stack.look_up(np.zeros(3, int), rows, tolerance), stack.look_up(np.ones(3, int), rows, tolerance)
+    assert seen[0] == 0
+    assert cut[0] == pytest.approx(np.log(4 / 0.1))
+    # Just inside the frame the tolerance still reaches over its edge; far inside a cut ridge counts as one too high.
+    assert cut[0] > cut[1] > cut[2] == pytest.approx(np.log(options.above_share))
+    assert stack.informative.tolist() == [0, 1]
+
+
 def test_a_boundary_below_the_horizon_costs_less_than_one_above():
     stack = EvidenceStack(single_row(50))
     hidden, obstructed = stack.look_up(np.zeros(2, int), np.array([20.0, 80.0]), np.ones(2))

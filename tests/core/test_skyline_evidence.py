@@ -99,8 +99,8 @@ def test_a_grey_picture_still_has_a_skyline(clear):
     assert np.median(rows_off(skyline_evidence(grey), truth)) <= 1
 
 
-def test_a_ridge_that_leaves_the_frame_says_nothing_there():
-    """Where the mountain is cut by the upper edge the column is flat and masked; elsewhere it is not."""
+def test_a_ridge_that_leaves_the_frame_is_told_apart():
+    """Where the mountain is cut by the upper edge the column names no row, is masked, and says that it is cut."""
     row_px = ridge_rows(512, 384, 0.1, 0.25)
     pixels, _ = mountain_scene(row_px=row_px)
     evidence = skyline_evidence(pixels)
@@ -108,6 +108,8 @@ def test_a_ridge_that_leaves_the_frame_says_nothing_there():
     assert cut.sum() > 50
     assert np.mean(evidence.probability.max(0)[cut] < 0.1) > 0.7
     assert np.mean(evidence.best.confidence[cut] == 0) > 0.7
+    assert np.mean(evidence.leaves_frame[cut] > 0.5) > 0.7
+    assert np.mean(evidence.leaves_frame[seen] < 0.1) > 0.9
     assert np.mean(evidence.best.confidence[seen] > 0.3) > 0.8
 
 
@@ -176,7 +178,7 @@ def test_degenerate_pictures_give_finite_probabilities(name):
     """No crash, no NaN, proper distributions."""
     evidence = skyline_evidence(degenerate()[name].astype(np.uint8))
     assert np.isfinite(evidence.probability).all()
-    np.testing.assert_allclose(evidence.probability.sum(0), 1, atol=1e-3)
+    np.testing.assert_allclose(evidence.probability.sum(0) + evidence.leaves_frame, 1, atol=1e-3)
     assert np.isfinite(evidence.best.row_px).all()
     assert np.isfinite(evidence.sky_score).all()
     assert np.isfinite(evidence.ridge_score).all()
