@@ -48,6 +48,11 @@ test-qgis: setup ## Run the tests of the QGIS side
 test-bare: setup ## Run the QGIS tests with OpenCV, pillow-heif and exifread blocked
 	@SKYLINE_BARE=1 $(PYTHON) -m pytest tests/algorithms tests/core/io $(PYTEST_ARGS)
 
+.PHONY: fuzz
+fuzz: setup ## Fuzz what reads users' files: [SECONDS=600] [TARGET=metadata|pixels|heif_boxes|masks|tables|dem|...]
+	@$(PYTHON) -c "import atheris" 2> /dev/null || $(PYTHON) -m pip install -q --disable-pip-version-check atheris
+	@nice $(PYTHON) tests/fuzz/fuzz_readers.py --seconds $(or $(SECONDS),600) $(TARGET)
+
 .PHONY: lint
 lint: setup ## Check style, Qt6 readiness and import rules
 	@$(PYTHON) -m ruff check . && $(PYTHON) -m ruff format --check .
