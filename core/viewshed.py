@@ -15,6 +15,7 @@ from .errors import ObserverOutsideDemError
 from .progress import SILENT, subtask
 from .terrain import Window, eye_elevation_m
 from .viewshed_geometry import quarters
+from .viewshed_packed import PackedSink
 from .viewshed_sector import FullCircle, PhotoFrame, Wedge
 from .viewshed_sweep import UNKNOWN, VISIBLE, QuarterSweep, SweepOptions
 
@@ -84,9 +85,9 @@ class Viewshed:
     ----------
     window : Window
         Part of the raster that the values cover; outside it nothing is in the sector.
-    values : (rows, cols) uint8 array or None
+    values : (rows, cols) uint8 array, PackedSink or None
         1 seen; 0 not seen or outside sector and range; 255 unknown (no data there, or between there and the eye).
-        None where the caller gave a sink.
+        What the caller's sink holds, where there is one.
     frame : LocalFrame
         True directions and distances of the cells.
     eye_elevation_m : float
@@ -127,44 +128,6 @@ class ArraySink:
     def set(self, row, col, value):
         """Set one cell of the raster."""
         self.values[row - self.window.row, col - self.window.col] = value
-
-
-class PackedSink:
-    """Collects the sweep's results in two bits per cell, for windows of hundreds of millions of cells."""
-
-    CODES = np.array([0, VISIBLE, UNKNOWN, UNKNOWN], np.uint8)
-    dtype, wants_clearance = np.dtype(np.uint8), False
-
-    def __init__(self, window):
-        self.window = window
-        self._first = window.col // 4 * 4
-        self._cells = np.zeros((window.rows, -(-(window.col + window.cols - self._first) // 4)), np.uint8)
-
-    def add(self, window, values):
-        """See `ArraySink.add`."""
-        left = window.col // 4 * 4
-        padded = np.zeros((window.rows, -(-(window.col + window.cols - left) // 4) * 4), np.uint8)
-        padded[:, window.col - left : window.col - left + window.cols] = np.minimum(values, 2)
-        codes = padded.reshape(window.rows, -1, 4)
-        packed = codes[..., 0] | codes[..., 1] << 2 | codes[..., 2] << 4 | codes[..., 3] << 6
-        row, col = window.row - self.window.row, (left - self._first) // 4
-        self._cells[row : row + window.rows, col : col + packed.shape[1]] |= packed
-
-    def set(self, row, col, value):
-        """See `ArraySink.set`."""
-        place = row - self.window.row, (col - self._first) // 4
-        shift = 2 * ((col - self._first) % 4)
-        self._cells[place] = (int(self._cells[place]) & ~(3 << shift)) | min(value, 2) << shift
-
-    def read(self, window):
-        """Values of a window of the raster that lies within the sink's: uint8, as in `Viewshed.values`."""
-        left = (window.col - self._first) // 4
-        right = -(-(window.col + window.cols - self._first) // 4)
-        row = window.row - self.window.row
-        packed = self._cells[row : row + window.rows, left:right]
-        codes = np.stack([packed >> shift & 3 for shift in (0, 2, 4, 6)], axis=-1).reshape(window.rows, -1)
-        start = window.col - self._first - 4 * left
-        return self.CODES[codes[:, start : start + window.cols]]
 
 
 def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), progress=SILENT, sink=None):  # noqa: B008 - frozen values

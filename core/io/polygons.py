@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import secrets
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
 from osgeo import gdal, ogr, osr
 
+from ..terrain import Window
 from .crs import local_plane, spatial_reference
-from .gdal_quiet import quiet_gdal
+from .gdal_quiet import quiet_gdal, small_cache
 
 VISIBLE = 1
+
+STRIP_CELLS = 8_000_000
+
+HELD_CELLS = 100_000_000
+"""Masks of so many cells are held as they are; larger ones, compressed, take a hundredth of it."""
 
 SIMPLIFY_CELLS = 0.7
 """Stair-steps of one cell vanish at this tolerance; no corner moves by a whole cell."""
@@ -44,7 +52,7 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
     Parameters
     ----------
     viewshed : core.viewshed.Viewshed
-        Or anything with `window`, `values` and `frame`.
+        Or anything with `window`, `frame` and `values`, of which an array's slices are enough.
     dem : Dem
         On whose grid it was computed.
     smallest_m2 : float
@@ -58,15 +66,14 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
     """
     if not 0 <= simplify_cells < 1:
         raise ValueError(f"the simplification must stay below one cell, not {simplify_cells}")
-    visible = viewshed.values == VISIBLE
-    rows, cols = np.flatnonzero(visible.any(axis=1)), np.flatnonzero(visible.any(axis=0))
-    if len(rows) == 0:
+    box = _extent(viewshed.values)
+    if box is None:
         return GroundPolygon(None, 0.0, None)
-    mask = visible[rows[0] : rows[-1] + 1, cols[0] : cols[-1] + 1]
-    first_row, first_col = viewshed.window.row + int(rows[0]), viewshed.window.col + int(cols[0])
+    first_row, first_col = viewshed.window.row + box.row, viewshed.window.col + box.col
     cell_m2 = float(np.prod(viewshed.frame.cell_size_m))
-    exact, dropped = _keep(_outlines(mask, first_row, first_col), smallest_m2 / cell_m2)
-    farthest = _farthest_m(mask, first_row, first_col, viewshed.frame)
+    with _mask(viewshed.values, box) as raster:
+        exact, dropped = _keep(_outlines(raster, first_row, first_col), smallest_m2 / cell_m2)
+    farthest = _farthest_m(viewshed.values, box, viewshed.window, viewshed.frame)
     if not exact.GetGeometryCount():
         return GroundPolygon(None, 0.0, farthest, dropped * cell_m2)
     whole = _dissolved(_simplified(exact, simplify_cells)) if simplify_cells else exact.Clone()
@@ -76,13 +83,51 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
     return GroundPolygon(bytes(whole.ExportToWkb(ogr.wkbNDR)), area, farthest, dropped * cell_m2)
 
 
-def _outlines(mask, first_row, first_col):
-    """Polygons around the mask's 4-connected parts, in pixels of the raster (corners at whole numbers + 0.5)."""
-    rows, cols = mask.shape
-    raster = gdal.GetDriverByName("MEM").Create("", cols, rows, 1, gdal.GDT_Byte)
+def _strips(box):
+    """Slices of rows that cover a window, so large that each is some millions of cells."""
+    rows = max(STRIP_CELLS // max(box.cols, 1), 1)
+    return [slice(row, min(row + rows, box.row + box.rows)) for row in range(box.row, box.row + box.rows, rows)]
+
+
+def _extent(values):
+    """Smallest window of the values' own rows and columns that holds all visible cells, or None."""
+    rows, cols = [], np.zeros(values.shape[1], bool)
+    for strip in _strips(Window(0, 0, *values.shape)):
+        seen = values[strip, :] == VISIBLE
+        found = np.flatnonzero(seen.any(axis=1))
+        if len(found):
+            rows += [strip.start + int(found[0]), strip.start + int(found[-1])]
+            cols |= seen.any(axis=0)
+    if not rows:
+        return None
+    col = np.flatnonzero(cols)
+    return Window(rows[0], int(col[0]), rows[-1] - rows[0] + 1, int(col[-1] - col[0]) + 1)
+
+
+@contextmanager
+def _mask(values, box):
+    """Visible cells of a window as a raster; one of very many cells is compressed."""
+    name, driver, options = "", "MEM", []
+    if box.rows * box.cols > HELD_CELLS:
+        name, driver = f"/vsimem/skyline-{secrets.token_hex(6)}.tif", "GTiff"
+        options = ["COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
+    raster = gdal.GetDriverByName(driver).Create(name, box.cols, box.rows, 1, gdal.GDT_Byte, options)
+    try:
+        with small_cache():
+            for strip in _strips(box):
+                seen = values[strip, box.col : box.col + box.cols] == VISIBLE
+                raster.GetRasterBand(1).WriteArray(seen.astype(np.uint8), 0, strip.start - box.row)
+            yield raster
+    finally:
+        raster = None
+        if name:
+            gdal.Unlink(name)
+
+
+def _outlines(raster, first_row, first_col):
+    """Polygons around a mask's 4-connected parts, in pixels of the DEM (corners at whole numbers + 0.5)."""
     raster.SetGeoTransform((first_col - 0.5, 1, 0, first_row - 0.5, 0, 1))
     band = raster.GetRasterBand(1)
-    band.WriteArray(mask.astype(np.uint8))
     table = ogr.GetDriverByName("Memory").CreateDataSource("")
     layer = table.CreateLayer("seen", None, ogr.wkbPolygon)
     with quiet_gdal():
@@ -149,12 +194,19 @@ def _to_crs(geometry, geotransform):
                 ring.SetPoint_2D(corner, x0 + dx * (col + 0.5), y0 + dy * (row + 0.5))
 
 
-def _farthest_m(mask, first_row, first_col, frame):
+def _farthest_m(values, box, window, frame):
     """Distance of the farthest visible cell's centre [m]; only the outermost cells of rows can be it."""
-    row = np.flatnonzero(mask.any(axis=1))
-    left, right = mask[row].argmax(axis=1), mask.shape[1] - 1 - mask[row][:, ::-1].argmax(axis=1)
-    east, north = frame.to_local(np.concatenate([left, right]) + first_col, np.tile(row, 2) + first_row)
-    return float(np.hypot(east, north).max())
+    farthest = 0.0
+    for strip in _strips(box):
+        seen = values[strip, box.col : box.col + box.cols] == VISIBLE
+        row = np.flatnonzero(seen.any(axis=1))
+        if not len(row):
+            continue
+        left, right = seen[row].argmax(axis=1), seen.shape[1] - 1 - seen[row][:, ::-1].argmax(axis=1)
+        cols = np.concatenate([left, right]) + (window.col + box.col)
+        east, north = frame.to_local(cols, np.tile(row, 2) + (window.row + strip.start))
+        farthest = max(farthest, float(np.hypot(east, north).max()))
+    return farthest
 
 
 def _area_m2(geometry, crs_wkt, frame):

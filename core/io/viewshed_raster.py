@@ -11,15 +11,17 @@ import os
 from dataclasses import dataclass
 
 import numpy as np
+from osgeo import gdal
 
 from ..terrain import Window
 from .gdal_quiet import open_quietly, quiet_gdal
-from .write_raster import write_raster
+from .write_raster import new_raster
 
 VERSION = 1
 """Raised when the engine's results change, so that older files are computed anew."""
 
 UNKNOWN = 255
+STRIP_ROWS = 1024
 KEY = "SKYLINE_VIEWSHED_FINGERPRINT"
 
 
@@ -67,11 +69,27 @@ def write_viewshed(path, viewshed, dem, mark, metadata=None):
     OutputError
     """
     facts = {**(metadata or {}), KEY: mark}
-    write_raster(path, viewshed.values, dem, viewshed.window, nodata=UNKNOWN, metadata=facts)
+    with new_raster(path, dem, viewshed.window, dtype="uint8", nodata=UNKNOWN, metadata=facts) as file:
+        for row in range(0, viewshed.window.rows, STRIP_ROWS):
+            file.write(viewshed.values[row : row + STRIP_ROWS, :], row)
 
 
-def read_viewshed(path, dem, mark):
-    """Give the stored viewshed if the file is there, whole and of this fingerprint; else None."""
+class _WholeArray:
+    """Holds what is read, as `core.viewshed.ArraySink` does."""
+
+    def __init__(self, window):
+        self.window, self.values = window, np.empty((window.rows, window.cols), np.uint8)
+
+    def add(self, window, values):
+        row = window.row - self.window.row
+        self.values[row : row + window.rows] = values
+
+
+def read_viewshed(path, dem, mark, hold=_WholeArray):
+    """Give the stored viewshed if the file is there, whole and of this fingerprint; else None.
+
+    `hold` makes from the window what takes the strips, as the sinks of `core.viewshed` do.
+    """
     if not os.path.exists(path):
         return None
     dataset = open_quietly(path)
@@ -79,18 +97,25 @@ def read_viewshed(path, dem, mark):
         return None
     x0, dx, _, y0, _, dy = dataset.GetGeoTransform()
     left, width, _, top, _, height = dem.geotransform
+    band = dataset.GetRasterBand(1)
+    window = Window(round((y0 - top) / height), round((x0 - left) / width), dataset.RasterYSize, dataset.RasterXSize)
+    if band.DataType != gdal.GDT_Byte or window.clipped(dem.shape) != window:
+        return None
+    held = hold(window)
     with quiet_gdal():
         try:
-            values = dataset.GetRasterBand(1).ReadAsArray()
+            for row in range(0, window.rows, STRIP_ROWS):
+                rows = min(STRIP_ROWS, window.rows - row)
+                values = band.ReadAsArray(0, row, window.cols, rows)
+                if values is None:
+                    return None
+                held.add(Window(window.row + row, window.col, rows, window.cols), values)
         except RuntimeError:
-            values = None
-    if values is None or values.dtype != np.uint8:
-        return None
-    window = Window(round((y0 - top) / height), round((x0 - left) / width), *values.shape)
-    return StoredViewshed(window, values) if window.clipped(dem.shape) == window else None
+            return None
+    return StoredViewshed(window, held.values)
 
 
-def viewshed_once(path, dem, mark, compute, metadata=None):
+def viewshed_once(path, dem, mark, compute, metadata=None, hold=_WholeArray):
     """Take a finished result from its file, or compute and store it.
 
     Parameters
@@ -102,6 +127,8 @@ def viewshed_once(path, dem, mark, compute, metadata=None):
     compute : callable
         Without arguments -> Viewshed.
     metadata : dict or None
+    hold : callable
+        See `read_viewshed`.
 
     Returns
     -------
@@ -109,7 +136,7 @@ def viewshed_once(path, dem, mark, compute, metadata=None):
     repeated : bool
         False where the file was there already.
     """
-    stored = read_viewshed(path, dem, mark)
+    stored = read_viewshed(path, dem, mark, hold)
     if stored is not None:
         return stored, False
     result = compute()

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from osgeo import ogr, osr
+from osgeo import gdal, ogr, osr
 from reference.landscapes import summits, write_summits
 from skyline_viewshed.core.frame import tabulate_frame
+from skyline_viewshed.core.io import polygons
 from skyline_viewshed.core.io.polygons import viewshed_polygons
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.terrain import Observer, Window
-from skyline_viewshed.core.viewshed import ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.viewshed import PackedSink, ViewshedOptions, Wedge, viewshed
 
 CELL_M = 10.0
 
@@ -55,6 +56,20 @@ def test_the_farthest_cell_is_that_of_a_search_through_all():
     view, grid = seen(mask)
     row, col = np.nonzero(mask)
     assert viewshed_polygons(view, grid).farthest_m == pytest.approx(np.hypot(*view.frame.to_local(col, row)).max())
+
+
+def test_a_mask_too_large_to_hold_gives_the_same_ground(monkeypatch):
+    mask = np.random.default_rng(2).random((90, 70)) < 0.4
+    view, grid = seen(mask, row=40, col=3)
+    plain = viewshed_polygons(view, grid, smallest_m2=300.0)
+    sink = PackedSink(view.window)
+    sink.add(view.window, view.values)
+    monkeypatch.setattr(polygons, "HELD_CELLS", 100)
+    monkeypatch.setattr(polygons, "STRIP_CELLS", 500)
+    before = gdal.ReadDir("/vsimem/")
+    packed = viewshed_polygons(SimpleNamespace(values=sink.values, window=view.window, frame=view.frame), grid, 300.0)
+    assert packed == plain and plain.dropped_m2 > 0
+    assert gdal.ReadDir("/vsimem/") == before
 
 
 def test_unknown_cells_are_not_ground_in_view():
