@@ -72,7 +72,7 @@ def _written(algorithm, parameters, name, context, kind, rows, path=None):
         if path is None:
             raise
         # "Could not create layer ...: Creation of data source failed (OGR error: ... failed: database or disk is full)"
-        raise unwritable(path, str(error).rsplit(": ", 1)[-1].rstrip(").") or "QGIS cannot create it") from error
+        raise unwritable(path, str(error).rsplit(": ", 1)[-1].rstrip(").") or str(error)) from error
     if sink is None:
         if parameters.get(name) is None:
             return None

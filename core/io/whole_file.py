@@ -6,6 +6,7 @@ some formats are several files. A process that is killed leaves the hidden folde
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import shutil
@@ -58,7 +59,7 @@ def _move(stage, path):
     """Move one file in one step; where companions come or go, the main name is free until they are in place."""
     written = sorted(stage.iterdir(), key=lambda file: file.name.startswith(path.name))
     if not written:
-        raise FileNotFoundError(0, "nothing was written")
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
     main = path.with_name(written[-1].name)
     stale = [file for file in _companions(main) if os.path.lexists(file)]
     if stale or len(written) > 1:

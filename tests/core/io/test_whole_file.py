@@ -79,6 +79,6 @@ def test_a_read_only_folder_is_said_in_a_sentence(tmp_path, monkeypatch):
 
 
 def test_a_writer_that_writes_nothing_is_found_out(tmp_path):
-    with pytest.raises(OutputError, match="nothing was written"), staged(tmp_path / "x.gpkg"):
+    with pytest.raises(OutputError, match="No such file"), staged(tmp_path / "x.gpkg"):
         pass
     assert os.listdir(tmp_path) == []
