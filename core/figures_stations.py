@@ -8,7 +8,7 @@ import numpy as np
 
 from .angles import wrap_180
 from .draw_svg import element, figure, line, round_below, sector_path, text
-from .draw_text import azimuth, escape, is_known
+from .draw_text import azimuth, compass_point, escape, is_known
 
 METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 SMALLEST_SPAN_M = 200.0
@@ -69,7 +69,7 @@ def stations_svg(stations, width=1280, height=420, say=str):
     y = height / 2 - (north_m - (north_m.min() + north_m.max()) / 2) * px_per_m
     marks = [_wedge(station, *place) for station, *place in zip(stations, x, y)]
     marks += [_dot(station, *place) for station, *place in zip(stations, x, y)]
-    parts = [*marks, _scale_bar(px_per_m, width, height), _north(width)]
+    parts = [*marks, _scale_bar(px_per_m, width, height), _north(width, say)]
     extent = f"{max(np.ptp(east_m), np.ptp(north_m)) / 1000:.1f}"
     said = say("{count} photographs within {extent} kilometres.").format(count=len(stations), extent=extent)
     return figure(width, height, say("Where the photographs stand and look"), said, *parts)
@@ -106,7 +106,7 @@ def _scale_bar(px_per_m, width, height):
     return line(20, height - 14, stop, height - 14, "axis") + ends + text(24, height - 20, words, "name")
 
 
-def _north(width):
+def _north(width, say):
     x = width - 24
     arrow = element("path", d=f"M{x} 14l-6 20l6 -5l6 5Z", class_="arrow")
-    return arrow + text(x, 48, "N", "strong", "middle")
+    return arrow + text(x, 48, compass_point(0, say), "strong", "middle")

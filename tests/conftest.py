@@ -46,6 +46,22 @@ def shared_data():
 
 
 @pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    """Compiled catalogues by language."""
+    from skyline_viewshed.tools import make_translations
+
+    if not (shutil.which("lrelease") or shutil.which("lrelease-qt6")):
+        pytest.skip("lrelease is not installed (qttools5-dev-tools)")
+    folder = tmp_path_factory.mktemp("compiled")
+    return {
+        language: make_translations.compile_catalogue(
+            make_translations.catalogue_path(language), folder / f"{language}.qm"
+        )
+        for language in make_translations.LANGUAGES
+    }
+
+
+@pytest.fixture(scope="session")
 def shell_environment(tmp_path_factory):
     """Environment in which a plain qgis_process sees the plugin, as `make env` prints it."""
     lines = subprocess.run(

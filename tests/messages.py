@@ -10,7 +10,16 @@ import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SILENT = {"ValueError", "TypeError", "KeyError", "RuntimeError", "NotImplementedError", "SystemExit", "OSError"}
+SILENT = {
+    "ValueError",
+    "TypeError",
+    "KeyError",
+    "RuntimeError",
+    "NotImplementedError",
+    "SystemExit",
+    "OSError",
+    "FileNotFoundError",
+}
 """Faults of a programmer, or caught and said again in other words."""
 SPEAKING = {"verdict", "judge", "_too_little"}
 """Functions that return a sentence, or a status and its sentence."""

@@ -115,18 +115,6 @@ def test_a_sentence_of_the_core_is_taken_apart_and_put_together(monkeypatch):
     assert core_sentences.in_users_language("Nothing we know.") == "Nothing we know."
 
 
-@pytest.fixture(scope="session")
-def compiled(tmp_path_factory):
-    """Compiled catalogues by language."""
-    if not (shutil.which("lrelease") or shutil.which("lrelease-qt6")):
-        pytest.skip("lrelease is not installed (qttools5-dev-tools)")
-    folder = tmp_path_factory.mktemp("compiled")
-    return {
-        language: translations.compile_catalogue(translations.catalogue_path(language), folder / f"{language}.qm")
-        for language in LANGUAGES
-    }
-
-
 @pytest.mark.parametrize(
     "language, title", [("de", "Fotos orientieren"), ("es", "Orientar fotos"), ("fr", "Orienter des photos")]
 )

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsProcessingException, QgsVectorLayer
+from qgis.core import QgsFeature, QgsProcessingException, QgsVectorLayer
 
 
 @pytest.fixture(scope="session")
@@ -25,6 +25,7 @@ def solved(provider, scene, tmp_path_factory):
         "POLYGONS": str(out / "polygons.gpkg"),
         "VIEWSHED": str(out / "viewshed.tif"),
         "REPORT": str(out / "report.html"),
+        "FIGURES": str(out / "figures"),
     }
     return out, processing.run("skylineviewshed:photoviewshed", parameters)
 
@@ -70,13 +71,88 @@ def test_one_run_gives_points_polygons_raster_and_report(solved):
     assert (results["COUNT"], results["ACCEPTED"], results["VIEWSHEDS"]) == (4, 2, 2)
 
 
+def test_each_viewshed_has_its_figure_in_folder_and_report(solved):
+    import numpy as np
+    from PIL import Image
+
+    out, results = solved
+    assert results["FIGURES"] == str(out / "figures")
+    assert sorted(path.name for path in (out / "figures").iterdir()) == ["north.png", "west.png"]
+    report = (out / "report.html").read_text(encoding="utf-8")
+    assert report.count('<details class="ground" open>') == 2
+    assert len(report) < 4_000_000
+    with Image.open(out / "figures" / "north.png") as picture:
+        width, height = picture.size
+        sky, relief = picture.getpixel((20, 60)), picture.convert("RGB").crop((width - 400, 0, width, height))
+    assert height == 480 and width > 2 * height
+    assert sky[2] > sky[0]  # the photograph is on the left ...
+    yellow = np.ptp(np.asarray(relief, int)[..., ::2], axis=2)
+    assert yellow.max() > 60  # ... and ground in view is tinted on the right
+
+
+def test_the_way_between_the_photographs_is_in_order_of_time_and_rests_at_night():
+    from skyline_viewshed.algorithms.result_figures import PAUSE_S, way
+
+    points = way(sorted([(90.0, (5, 5)), (0.0, (1, 1)), (100.0 + PAUSE_S, (9, 9))]))
+    assert points[:, 0].tolist()[:2] == [1, 5]
+    assert str(points[2, 0]) == "nan" and points[3].tolist() == [9, 9]
+
+
+def test_stations_take_positions_and_times_where_they_are(run, scene, tmp_path):
+    from skyline_viewshed.algorithms.fields import is_null
+    from skyline_viewshed.algorithms.layers import PointRow
+    from skyline_viewshed.algorithms.result_figures import Station, stations_of
+
+    run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(tmp_path / "points.gpkg")})
+    features = list(QgsVectorLayer(str(tmp_path / "points.gpkg")).getFeatures())
+    rows = [PointRow(feature, "", None, None) for feature in features]
+    found = stations_of(rows)
+    assert len(found) == len(features)
+    for feature, station in zip(features, found):
+        assert station.longitude_deg == pytest.approx(float(feature["longitude"]))
+        assert (station.time_s is None) == is_null(feature["timestamp"])
+    assert stations_of([PointRow(features[0], "", 7.0, 46.0)])[0].longitude_deg == 7.0
+    assert isinstance(found[0], Station)
+
+
+def test_a_figure_without_its_photograph_has_the_maps_alone(solved, run, scene, tmp_path):
+    from PIL import Image
+
+    layer = QgsVectorLayer(
+        "Point?crs=EPSG:4326&field=heading:double&field=hfov:double&field=photo:string", "", "memory"
+    )
+    source = next(QgsVectorLayer(str(solved[0] / "deep" / "points.gpkg")).getFeatures("\"filename\" = 'north'"))
+    for photo in (None, str(tmp_path / "gone.jpg")):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(source.geometry())
+        feature.setAttributes([20.0, 50.0, photo])
+        layer.dataProvider().addFeature(feature)
+    parameters = {"INPUT": layer, "DEM": str(scene.dem), "SECTOR": 1, "MAX_DISTANCE": 5000}
+    outputs = {"OUTPUT": str(tmp_path / "v.tif"), "FIGURES": str(tmp_path / "figures")}
+    _, feedback = run("directedviewshed", {**parameters, **outputs})
+    pictures = sorted((tmp_path / "figures").iterdir())
+    assert [path.name for path in pictures] == ["Point 1.png", "gone.png"]
+    assert all(Image.open(path).size[0] < 3 * 480 for path in pictures)
+    assert any("gone.jpg" in warning and "no such file" in warning for warning in feedback.warnings)
+
+
+def test_a_temporary_folder_is_the_one_that_is_told(run, scene, tmp_path):
+    outputs = {"OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": str(tmp_path / "v.tif")}
+    folders = {"RASTERS": "TEMPORARY_OUTPUT", "FIGURES": "TEMPORARY_OUTPUT", "METHOD": 1, "MAX_DISTANCE": 3000}
+    results, _ = run("photoviewshed", {"FOLDER": str(scene.folder), "DEM": str(scene.dem), **outputs, **folders})
+    assert len(list(Path(results["RASTERS"]).glob("*.tif"))) == 2
+    assert len(list(Path(results["FIGURES"]).glob("*.png"))) == 2
+
+
 def test_two_steps_give_the_same_as_one(solved, run, scene):
     import numpy as np
 
     out, _ = solved
     parameters = {"INPUT": str(out / "deep" / "points.gpkg"), "DEM": str(scene.dem), "MAX_DISTANCE": 10_000}
-    results, _ = run("directedviewshed", {**parameters, "OUTPUT": str(out / "again.tif")})
+    outputs = {"OUTPUT": str(out / "again.tif"), "FIGURES": str(out / "again")}
+    results, _ = run("directedviewshed", {**parameters, **outputs})
     assert results["COUNT"] == 2
+    assert sorted(path.name for path in (out / "again").iterdir()) == ["north.png", "west.png"]
     one, two = (gdal.Open(str(out / name)).ReadAsArray() for name in ("viewshed.tif", "again.tif"))
     assert np.mean((one == 1) != (two == 1)) < 1e-4
 
