@@ -2,8 +2,9 @@
 # Run the whole suite on several QGIS versions, each in a Debian tree of its own, and print a table.
 #
 # tools/test_matrix.sh [bookworm|trixie|trixie-backports]...     (all three where none is named; needs root, debootstrap)
-# What is tested is the last commit, set up by tools/setup.sh as on a user's machine. The trees (about 3 GB each) stay
-# in ROOTS for the next time. DATA shows the shared real data to the tests; PYTEST_ARGS reaches pytest.
+# What is tested is the last commit, set up by tools/setup.sh as on a user's machine. JOBS versions run at the same time
+# (one for each core). The trees (about 3 GB each) stay in ROOTS for the next time. SKYLINE_DATA shows the shared real
+# data to the tests; PYTEST_ARGS reaches pytest. Logs: build/matrix.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ROOTS=${ROOTS:-/var/tmp/skyline-roots}
@@ -44,17 +45,27 @@ run_in() {
   facts=$(tools/in_root.sh "$tree" "$CHECKOUT/.venv/bin/python" -c "$versions" 2> /dev/null) || facts="- | - | - | - | - | - | -"
   counts=$(grep -E '^(=+ )?[0-9]+ (passed|failed|error).* in ' "$log" | tail -n 1 | tr -d '=' | xargs) || true
   printf '| %s | %s | %s | %s min |\n' "$name" "$facts" "${counts:-no result, see $log}" "$(((SECONDS - started + 59) / 60))" \
-    >> build/matrix/table.md
+    > "build/matrix/$name.row"
   return "$result"
 }
 
+names=()
+for name in "${@:-bookworm trixie trixie-backports}"; do
+  for one in $name; do names+=("$one"); done
+done
+rm -f build/matrix/*.row
+failed=0 running=0
+for one in "${names[@]}"; do
+  if [ "$running" -ge "${JOBS:-$(nproc)}" ]; then wait -n || failed=1; running=$((running - 1)); fi
+  run_in "$one" &
+  running=$((running + 1))
+done
+while [ "$running" -gt 0 ]; do wait -n || failed=1; running=$((running - 1)); done
 {
   echo "| Debian | QGIS | Qt | Python | GDAL | NumPy | SciPy | OpenCV | tests | with set-up |"
   echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+  for one in "${names[@]}"; do cat "build/matrix/$one.row" 2> /dev/null || echo "| $one | no tree: see the messages above |"; done
 } > build/matrix/table.md
-failed=0
-for name in "${@:-bookworm trixie trixie-backports}"; do
-  for one in $name; do run_in "$one" || failed=1; done
-done
 cat build/matrix/table.md
+for one in "${names[@]}"; do grep -HE '^(FAILED|ERROR) ' "build/matrix/$one.log" || true; done
 exit "$failed"
