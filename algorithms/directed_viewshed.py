@@ -12,8 +12,9 @@ from .elevation import dem_fault, dem_source
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
 from .result_figures import ResultFigures, figures_out, stations_of
+from .viewer import Viewer
 from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
+from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
 POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
 

@@ -28,8 +28,9 @@ from .reporting import PhotoReport
 from .rescue import add_rescue_parameters
 from .result_figures import ResultFigures, figures_out, stations_of
 from .styling import style_on_completion
+from .viewer import Viewer
 from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, Viewer, add_range_parameters, range_fault, viewshed_options
+from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
 SHARE = (0.0, 0.95)
 ORIENTATION_PART = 0.8

@@ -16,6 +16,18 @@ from .viewshed import ArraySink, FullCircle, ViewshedOptions, viewshed
 
 TILE_ROWS = 256
 
+LAYERS = {
+    "distance": "m",
+    "elevation angle": "degrees",
+    "height above the line of sight": "m",
+    "column in the photograph": "px",
+    "row in the photograph": "px",
+}
+"""Names and units of what `sector_layers` gives; the last two need a camera."""
+
+NOTHING_BETWEEN_M = 9999.0
+"""Height above the line of sight of cells next to the eye, before which no ground lies [m]."""
+
 
 class ClearanceSink(ArraySink):
     """Height of each cell, target height included, above the line of sight that passes it [m].
@@ -85,6 +97,41 @@ def layers(terrain, seen, camera=None, pose=None):
             values["column_px"], values["row_px"] = place
         void = np.isnan(elevation)
         yield strip, {name: np.where(void, np.nan, one).astype(np.float32) for name, one in values.items()}
+
+
+def sector_layers(terrain, seen, lifted, camera=None, pose=None):
+    """Layers of the cells that lie in a viewshed's sector and range, seen or not, strip by strip.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    seen : Viewshed
+    lifted : Viewshed
+        Of `clearance`, for the same window.
+    camera, pose : Camera, Pose or None
+        For the place in the photograph.
+
+    Yields
+    ------
+    window : Window
+        A strip of the raster.
+    values : list of (rows, cols) float32 arrays
+        In the order of `LAYERS`; NaN outside the sector and the range, and where the DEM has no data.
+    """
+    options, sector = seen.options, seen.sector
+    for strip, values in layers(terrain, seen, camera, pose):
+        distance = values["distance_m"]
+        first = strip.row - seen.window.row
+        above = np.minimum(lifted.values[first : first + strip.rows], np.float32(NOTHING_BETWEEN_M))
+        above[above == 0] = np.nan  # beside the sweep's own margin of the sector, or the eye's own cell
+        with np.errstate(invalid="ignore"):
+            inside = (distance >= options.min_distance_m) & (distance <= options.max_distance_m)
+        inside[inside] = sector.accepts(
+            *(values[name][inside].astype(float) for name in ("azimuth_deg", "elevation_deg", "distance_m"))
+        )
+        bands = [distance, values["elevation_deg"], above]
+        bands += [] if camera is None else [values["column_px"], values["row_px"]]
+        yield strip, [np.where(inside, band, np.float32(np.nan)) for band in bands]
 
 
 def terrain_share(camera, pose, horizon, grid=64):

@@ -125,3 +125,34 @@ class PhotoFrame:
             centre, half = self._wedge()
             accepted[unknown] = in_wedge(np.asarray(azimuth_deg)[unknown], centre, 2 * half)
         return accepted
+
+
+LEAST_CONFIDENCE = 0.5
+"""Columns of an extracted skyline that are less sure limit nothing."""
+
+
+def skyline_rows(column_px, row_px, confidence, width_px):
+    """Bring a skyline to one row per column of the full picture, as `PhotoFrame.skyline_row_px` wants it.
+
+    Parameters
+    ----------
+    column_px, row_px, confidence : (N,) arrays
+        Of the extracted skyline, on the full upright picture [pixels]; confidence 0 to 1.
+    width_px : int
+        Of the picture [pixels].
+
+    Returns
+    -------
+    (width_px,) array
+        [pixels]; NaN where the line is unknown, or less sure than `LEAST_CONFIDENCE`.
+    """
+    column, row, sure = (np.asarray(values, float) for values in (column_px, row_px, confidence))
+    order = np.argsort(column, kind="stable")
+    column, row = column[order], np.where(sure >= LEAST_CONFIDENCE, row, np.nan)[order]
+    if not len(column):
+        return np.full(width_px, np.nan)
+    wanted = np.arange(width_px)
+    line = np.interp(wanted, column, row)
+    gap = np.diff(column).max(initial=1.0)
+    line[(wanted < column[0] - gap) | (wanted > column[-1] + gap)] = np.nan
+    return line

@@ -38,13 +38,13 @@ class StoredViewshed:
         return self.values == 1
 
 
-def fingerprint(dem, observer, sector, options):
-    """Digest of all that a viewshed depends on: the DEM's file and band, observer, sector, options, engine.
+def fingerprint(dem, observer, sector, options, *others):
+    """Digest of all that a viewshed depends on: the DEM's file and band, observer, sector, options, engine, others.
 
     A changed DEM is noticed by its size and time of change, as by `make`.
     """
     facts = [VERSION, *_file_facts(dem), dem.shape, dem.geotransform, dem.crs_wkt, observer, options]
-    facts += [type(sector).__name__, *(_plain(value) for value in vars(sector).values())]
+    facts += [type(sector).__name__, *(_plain(value) for value in vars(sector).values()), *others]
     return hashlib.sha256(repr(facts).encode()).hexdigest()[:32]
 
 
@@ -113,6 +113,42 @@ def read_viewshed(path, dem, mark, hold=_WholeArray):
         except RuntimeError:
             return None
     return StoredViewshed(window, held.values)
+
+
+def write_layers(path, dem, window, bands, strips, mark, metadata=None):
+    """Write float layers of a photograph with their fingerprint, whole or not at all.
+
+    Parameters
+    ----------
+    path : str
+    dem : Dem
+    window : Window
+    bands : dict
+        Name of each band and its unit.
+    strips : iterable of (Window, list of (rows, cols) float32 arrays)
+        NaN becomes nodata.
+    mark : str
+        Of `fingerprint`.
+    metadata : dict or None
+
+    Raises
+    ------
+    OutputError
+    """
+    texts = {"descriptions": list(bands), "units": list(bands.values())}
+    facts = {**(metadata or {}), KEY: mark}
+    with new_raster(path, dem, window, bands=len(bands), nodata=np.nan, metadata=facts, **texts) as file:
+        for strip, values in strips:
+            for number, band in enumerate(values, start=1):
+                file.write(band, strip.row - window.row, strip.col - window.col, number)
+
+
+def stored_facts(path, mark):
+    """Texts in the header of a finished file of this fingerprint, or None."""
+    dataset = open_quietly(path) if os.path.exists(path) else None
+    if dataset is None or dataset.GetMetadataItem(KEY) != mark:
+        return None
+    return dict(dataset.GetMetadata())
 
 
 def viewshed_once(path, dem, mark, compute, metadata=None, hold=_WholeArray):

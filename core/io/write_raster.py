@@ -27,7 +27,17 @@ DEM_NODATA = -9999.0
 
 @contextmanager
 def new_raster(
-    path, grid, window=None, *, dtype="float32", bands=1, nodata=None, descriptions=(), metadata=None, alpha=False
+    path,
+    grid,
+    window=None,
+    *,
+    dtype="float32",
+    bands=1,
+    nodata=None,
+    descriptions=(),
+    units=(),
+    metadata=None,
+    alpha=False,
 ):
     """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
 
@@ -42,7 +52,7 @@ def new_raster(
         'uint8', 'int16', 'uint16', 'int32' or 'float32'.
     bands : int
     nodata : float or None
-    descriptions : sequence of str
+    descriptions, units : sequence of str
         One per band.
     metadata : dict or None
         Names and texts for the file's header.
@@ -66,7 +76,7 @@ def new_raster(
             file = None
             try:
                 file = RasterFile(path, _create(part, window, dtype, bands, alpha), messages)
-                file._describe(grid, window, nodata, descriptions, metadata or {})
+                file._describe(grid, window, nodata, (descriptions, units), metadata or {})
                 yield file
                 file._close()
             finally:
@@ -117,7 +127,7 @@ class RasterFile:
             if target.WriteArray(strip, col, row + start) != gdal.CE_None:
                 raise OSError("the disk may be full")
 
-    def _describe(self, grid, window, nodata, descriptions, metadata):
+    def _describe(self, grid, window, nodata, texts, metadata):
         x0, dx, _, y0, _, dy = grid.geotransform
         self._dataset.SetGeoTransform((x0 + window.col * dx, dx, 0.0, y0 + window.row * dy, 0.0, dy))
         self._dataset.SetSpatialRef(spatial_reference(grid.crs_wkt))
@@ -127,8 +137,9 @@ class RasterFile:
             band = self._dataset.GetRasterBand(number)
             if nodata is not None:
                 band.SetNoDataValue(float(nodata))
-            if number <= len(descriptions):
-                band.SetDescription(descriptions[number - 1])
+            for tell, values in zip((band.SetDescription, band.SetUnitType), texts):
+                if number <= len(values):
+                    tell(values[number - 1])
 
     def _close(self):
         self._dataset.FlushCache()
