@@ -6,17 +6,25 @@ from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber
 
+from ..core.progress import subtask
 from . import parameters as shared
 from .base import SkylineAlgorithm
 from .elevation import dem_fault, dem_source
+from .feedback import FeedbackProgress
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
 from .result_figures import ResultFigures, figures_out, stations_of
+from .skyline_limits import add_table_parameters, table_fault, with_table
 from .viewer import Viewer
+from .viewshed_extras import Extras, add_extra_parameters, extra_options
 from .viewshed_outputs import ViewshedOutputs
 from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
 POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
+NUMBER_FIELDS = (*POSE_FIELDS, "HEIGHT_FIELD", "HEADING_LO_FIELD", "HEADING_HI_FIELD")
+
+SHARE = 0.9
+"""Of the progress bar; writing has the rest."""
 
 
 class DirectedViewshed(SkylineAlgorithm):
@@ -73,6 +81,8 @@ class DirectedViewshed(SkylineAlgorithm):
                 )
             )
         )
+        for parameter in interval_parameters():
+            self.addParameter(shared.advanced(parameter))
         self.addParameter(shared.sector())
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         add_range_parameters(self)
@@ -91,15 +101,18 @@ class DirectedViewshed(SkylineAlgorithm):
             )
         )
         self.addParameter(figures_out())
+        add_extra_parameters(self)
+        add_table_parameters(self)
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of viewsheds")))
 
     def input_fault(self, parameters, context):
         """Check the layer, the DEM and the range."""
         return (
-            points_fault(self, parameters, context, "INPUT", None, [*POSE_FIELDS, "HEIGHT_FIELD"])
+            points_fault(self, parameters, context, "INPUT", None, NUMBER_FIELDS)
             or self._heading_fault(parameters, context)
             or dem_fault(self, parameters, context)
             or range_fault(self, parameters, context)
+            or table_fault(self, parameters, context)
         )
 
     def _heading_fault(self, parameters, context):
@@ -119,24 +132,28 @@ class DirectedViewshed(SkylineAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """Compute photo by photo, then write."""
-        _, rows = read_points(self, parameters, context, "INPUT", None, [*POSE_FIELDS, "HEIGHT_FIELD"])
-        sights = [sight_of(row) for row in rows]
+        _, rows = read_points(self, parameters, context, "INPUT", None, NUMBER_FIELDS)
+        sights = with_table(self, parameters, context, [sight_of(row) for row in rows], feedback)
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         options, dem = viewshed_options(self, parameters, context), self.dem.open()
         folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
-        outputs = ViewshedOutputs(dem)
+        outputs = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
         viewer = Viewer(dem, kind, eye_height_m, options, feedback, folders["RASTERS"])
+        extras = Extras(viewer, extra_options(self, parameters, context), feedback)
         figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
-        for sight, viewshed in viewer.each(sights, (0.0, 0.9)):
-            outputs.add(sight, viewshed)
+        for done, (sight, viewshed) in enumerate(viewer.each(sights, (0.0, SHARE)), start=1):
+            here = SHARE * done / len(sights)  # the extras move nothing, but can be cancelled
+            still = subtask(FeedbackProgress(feedback), here, here)
+            outputs.add(sight, viewshed, extras.of(sight, viewshed, progress=still))
             figures.draw(sight, viewshed)
+        outputs.arrange(sights)
         results = {
             "OUTPUT": outputs.write_count(self, parameters, "OUTPUT", context, feedback),
             "POLYGONS": outputs.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs),
             "COUNT": len(outputs.rows),
         }
-        return {**results, **{name: folder for name, folder in folders.items() if folder}}
+        return {**results, **{name: folder for name, folder in folders.items() if folder}, **extras.folders}
 
 
 def pose_parameters():
@@ -150,6 +167,15 @@ def pose_parameters():
         field("VFOV_FIELD", tr("Field with the vertical field of view (°)"), tr("NULL: wedge, not frame."), "vfov"),
     ]
     return [heading, *map(shared.advanced, others)]
+
+
+def interval_parameters():
+    """Fields with the ends of the heading's interval, as `orientphotos` writes them."""
+    text = tr("Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.")
+    return [
+        shared.number_field("HEADING_LO_FIELD", tr("Field with the heading's lower end (°)"), text, "heading_lo"),
+        shared.number_field("HEADING_HI_FIELD", tr("Field with the heading's upper end (°)"), text, "heading_hi"),
+    ]
 
 
 def sight_of(row):
@@ -170,4 +196,6 @@ def sight_of(row):
         roll_deg=numbers["ROLL_FIELD"],
         hfov_deg=numbers["HFOV_FIELD"],
         vfov_deg=numbers["VFOV_FIELD"],
+        heading_lo_deg=numbers["HEADING_LO_FIELD"],
+        heading_hi_deg=numbers["HEADING_HI_FIELD"],
     )

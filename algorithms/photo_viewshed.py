@@ -27,8 +27,10 @@ from .outputs import write_features
 from .reporting import PhotoReport
 from .rescue import add_rescue_parameters
 from .result_figures import ResultFigures, figures_out, stations_of
+from .skyline_limits import add_own_parameters, with_own
 from .styling import style_on_completion
 from .viewer import Viewer
+from .viewshed_extras import Extras, add_extra_parameters, extra_options
 from .viewshed_outputs import ViewshedOutputs
 from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
@@ -121,6 +123,8 @@ class PhotoViewshed(SkylineAlgorithm):
             )
         )
         self.addParameter(figures_out())
+        add_extra_parameters(self)
+        add_own_parameters(self)
         for name, label in (
             ("COUNT", tr("Number of photos")),
             ("ACCEPTED", tr("Number of accepted photos")),
@@ -147,36 +151,45 @@ class PhotoViewshed(SkylineAlgorithm):
         options = options_of(self, parameters, context, "HORIZON_DISTANCE")
         requests = requests_of(self, parameters, context, photos.rows)
         dem = self.dem.open()
-        ground = ViewshedOutputs(dem)
+        ground = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
         features, statuses = [], []
         # Asked once: each question about a temporary folder gives another one.
         folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
         with PhotoReport(self, parameters, context, len(photos.rows)) as report:
             viewer = self._viewer(parameters, context, dem, feedback, folders["RASTERS"])
+            extras = Extras(viewer, extra_options(self, parameters, context), feedback)
             view = self._view_of(parameters, context, viewer, options.method, len(photos.rows))
             figures = ResultFigures(dem, folders["FIGURES"], stations_of(photos.rows), feedback, bool(report.path))
             oriented_photos = orient_each(requests, dem, options, feedback, SHARE, ORIENTATION_PART)
             for row, oriented in zip(photos.rows, oriented_photos):
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)
-                sight = sight_of(row, oriented)
+                sight = self._sight(parameters, context, row, oriented)
                 viewshed = view(sight, oriented.orientation.status, len(statuses) - 1)
                 if viewshed is None:
                     report.add(oriented)
                     continue
-                facts, panels = ground.add(sight, viewshed), figures.draw(sight, viewshed, oriented.preview)
+                here = SHARE[1] * len(statuses) / len(photos.rows)  # the extras move nothing, but can be cancelled
+                more = extras.of(sight, viewshed, oriented.horizon, subtask(FeedbackProgress(feedback), here, here))
+                facts, panels = ground.add(sight, viewshed, more), figures.draw(sight, viewshed, oriented.preview)
                 report.add(oriented, facts, panels)
             feedback.pushInfo(summary(statuses))
             outputs = self._write(parameters, context, feedback, photos, features, ground)
         counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
         written = {name: folder for name, folder in folders.items() if folder}
-        return {**outputs, **written, **counts, **report.outputs()}
+        return {**outputs, **written, **extras.folders, **counts, **report.outputs()}
 
     def _viewer(self, parameters, context, dem, feedback, folder):
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         options = viewshed_options(self, parameters, context)
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         return Viewer(dem, kind, eye_height_m, options, feedback, folder)
+
+    def _sight(self, parameters, context, row, oriented):
+        sight = sight_of(row, oriented)
+        if not self.parameterAsBoolean(parameters, "OWN_SKYLINE", context):
+            return sight
+        return with_own(sight, oriented, self.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context))
 
     def _view_of(self, parameters, context, viewer, method, count):
         """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
@@ -216,4 +229,7 @@ def sight_of(row, oriented):
         roll_deg=None if best is None else best.pose.roll_deg,
         hfov_deg=None if camera is None else camera.hfov_deg,
         vfov_deg=None if camera is None else camera.vfov_deg,
+        heading_lo_deg=oriented.orientation.heading_lo_deg,
+        heading_hi_deg=oriented.orientation.heading_hi_deg,
+        width_px=None if camera is None else camera.width_px,
     )

@@ -10,6 +10,7 @@ from .fields import FieldSpec, qgis_fields
 from .i18n import tr
 from .outputs import make_folder_of, write_features
 from .styling import style_on_completion
+from .viewshed_extras import extra_specs
 
 COUNT_NODATA = 65535
 STRIP_ROWS = 256
@@ -21,22 +22,32 @@ class ViewshedOutputs:
     Parameters
     ----------
     dem : core.io.raster.Dem
+    smallest_m2 : float
+        Parts of polygons below this are dropped [m2].
     """
 
-    def __init__(self, dem):
+    def __init__(self, dem, smallest_m2=0.0):
         from ..core.viewshed_count import SeenCount
 
-        self.dem, self.count, self.rows = dem, SeenCount(dem.shape), []
+        self.dem, self.smallest_m2 = dem, smallest_m2
+        self.count, self.rows, self._sights = SeenCount(dem.shape), [], []
 
-    def add(self, sight, viewshed):
-        """Take one photo's viewshed in; gives its facts in words, for the report."""
+    def add(self, sight, viewshed, extras=None):
+        """Take one photo's viewshed, and values of `extra_specs`; gives its facts in words, for the report."""
         from ..core.io.polygons import viewshed_polygons
 
-        ground = viewshed_polygons(viewshed, self.dem)
+        ground = viewshed_polygons(viewshed, self.dem, self.smallest_m2)
         self.count.add(viewshed.window, viewshed.values)
-        self.rows.append(polygon_row(sight, ground))
+        self.rows.append(polygon_row(sight, ground, extras or {}))
+        self._sights.append(sight)
         far = tr("none") if ground.farthest_m is None else f"{ground.farthest_m / 1e3:.1f} km"
         return {tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²", tr("Farthest ground in view"): far}
+
+    def arrange(self, sights):
+        """Bring the polygons into the order of these sights."""
+        place = {id(sight): index for index, sight in enumerate(sights)}
+        order = sorted(range(len(self.rows)), key=lambda row: place[id(self._sights[row])])
+        self.rows, self._sights = [self.rows[row] for row in order], [self._sights[row] for row in order]
 
     def write_count(self, algorithm, parameters, name, context, feedback):
         """Write the raster of counts; gives its path, or None where it is not wanted."""
@@ -88,7 +99,7 @@ class ViewshedOutputs:
         return output
 
 
-def polygon_row(sight, ground):
+def polygon_row(sight, ground, extras):
     """Geometry and attributes of one photo's ground."""
     geometry = QgsGeometry()
     if ground.wkb is not None:
@@ -96,7 +107,7 @@ def polygon_row(sight, ground):
         if geometry.isNull():
             raise QgsProcessingException(tr("The polygon of {name} could not be built.").format(name=sight.name))
     values = [sight.photo, sight.source_id, sight.heading_deg, sight.hfov_deg, ground.area_m2, ground.farthest_m]
-    return geometry, values
+    return geometry, values + [extras.get(spec.name) for spec in extra_specs()]
 
 
 def polygon_specs():
@@ -108,4 +119,5 @@ def polygon_specs():
         FieldSpec("hfov", "real", tr("Horizontal field of view (°)")),
         FieldSpec("area_m2", "real", tr("Ground in view (m²)")),
         FieldSpec("farthest_m", "real", tr("Farthest ground in view (m)")),
+        *extra_specs(),
     ]
