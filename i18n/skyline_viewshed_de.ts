@@ -748,6 +748,21 @@
         <translation>NULL: Sektor statt Bildausschnitt.</translation>
     </message>
     <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Field with the heading's lower end (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Field with the heading's upper end (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../algorithms/drape_photo.py"/>
         <source>Drape photos over the terrain</source>
         <translation>Fotos über das Gelände legen</translation>
@@ -1102,8 +1117,8 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/viewer.py"/>
         <location filename="../algorithms/views.py"/>
-        <location filename="../algorithms/visibility.py"/>
         <source>The point has no usable position.</source>
         <translation>Der Punkt hat keine brauchbare Position.</translation>
     </message>
@@ -2751,6 +2766,46 @@
         <translation>In 8-Bit-Stufen bei mittlerem Grau.</translation>
     </message>
     <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>Skylines of the photographs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>Foreground hides ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>Tolerance above the skyline (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/skyline_limits.py"/>
+        <source>The table of skylines does not know this photo: nothing is cut off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../algorithms/summit_input.py"/>
         <source>Summits</source>
         <translation>Gipfel</translation>
@@ -2799,6 +2854,17 @@
         <location filename="../algorithms/summit_input.py"/>
         <source>The layer of summits has no field {field}. Choose the field with the names.</source>
         <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewer.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewer.py"/>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: übernommen aus {path}</translation>
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
@@ -2881,6 +2947,96 @@
         <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
     </message>
     <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Smallest area (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Folder for layers per photo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Folder for probabilities per photo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of positions (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation along each axis, for probabilities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the DEM (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the pitch (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the focal length (%)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Share of the picture that the DEM explains as ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.9 or more (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.5 or more (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../algorithms/viewshed_outputs.py"/>
         <source>Farthest ground in view</source>
         <translation>Fernstes sichtbares Gelände</translation>
@@ -2945,16 +3101,6 @@
         <location filename="../algorithms/visibility.py"/>
         <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
         <translation>Nickwinkel oder vertikaler Bildwinkel ist unbekannt: Gezeigt wird der Blicksektor, nicht der Bildausschnitt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Cancelled after {done} of {count} viewsheds.</source>
-        <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name}: übernommen aus {path}</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3278,19 +3424,19 @@
         <location filename="../core/report_card.py"/>
         <location filename="../core/report_overview.py"/>
         <source>Pitch</source>
-        <translation>Nickwinkel</translation>
+        <translation>Nicken</translation>
     </message>
     <message>
         <location filename="../core/report_card.py"/>
         <location filename="../core/report_overview.py"/>
         <source>Roll</source>
-        <translation>Rollwinkel</translation>
+        <translation>Rollen</translation>
     </message>
     <message>
         <location filename="../core/report_card.py"/>
         <location filename="../core/report_overview.py"/>
         <source>HFOV</source>
-        <translation>Bildwinkel hor.</translation>
+        <translation>Bildwinkel</translation>
     </message>
     <message>
         <location filename="../core/report_card.py"/>
@@ -3302,7 +3448,7 @@
         <location filename="../core/report_card.py"/>
         <location filename="../core/report_horizon.py"/>
         <source>Eye elevation</source>
-        <translation>Augenhöhe (absolut)</translation>
+        <translation>Höhe des Auges</translation>
     </message>
     <message>
         <location filename="../core/report_card.py"/>
