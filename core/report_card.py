@@ -206,7 +206,7 @@ def _plots(photo, say):
 
 
 def _ground(panels, picture_px, say):
-    """The three panels, reduced like the picture; a browser decodes them when they come into sight."""
+    """The three panels, reduced like the picture; lazy loading would spare nothing, and leave them out in print."""
     if panels is None:
         return ""
     height, width = panels.shape[:2]
@@ -216,7 +216,7 @@ def _ground(panels, picture_px, say):
     except MissingPackageError:
         return ""  # the overlay's place has said so
     title = escape(say("Where it looks, and the ground it shows"))
-    picture = f'<img src="{url}" alt="{title}" width="{width}" height="{height}" loading="lazy" decoding="async">'
+    picture = f'<img src="{url}" alt="{title}" width="{width}" height="{height}">'
     return f'<details class="ground" open><summary>{title}</summary>{picture}</details>'
 
 

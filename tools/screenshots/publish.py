@@ -15,7 +15,7 @@ from pathlib import Path
 from PIL import Image
 
 LARGEST_BYTES = 195_000
-PAGE_WIDTH, PAGE_HEIGHT = 1180, 4000
+PAGE_WIDTH, PAGE_HEIGHT = 1180, 6000
 ACCEPTED_BAR = (26, 127, 55)
 """Colour of the bar at the left of an accepted photo's card."""
 SHOWN_CARD = 2
