@@ -1,11 +1,13 @@
-"""Every output of every algorithm, on a disk that is full and in a folder that is read-only."""
+"""All algorithms under a handicap: without a network, on a full disk, in a read-only folder; and what they touch."""
 
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -14,14 +16,14 @@ import pytest
 
 pytestmark = pytest.mark.qgis
 
-HELPER = Path(__file__).with_name("writing_faults.py")
+HELPER = Path(__file__).with_name("handicaps.py")
 DISK = "mount -t tmpfs -o size=1m tmpfs"
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
 
 
 @pytest.fixture(scope="module")
 def job(scene, tmp_path_factory):
-    """The scene's north photo, as `writing_faults.py` wants it."""
+    """The scene's north photo, as `handicaps.py` wants it."""
     folder = tmp_path_factory.mktemp("job")
     shutil.copytree(scene.odd, folder / "odd")
     pose, (longitude, latitude) = scene.truth["north"], scene.positions["north"]
@@ -46,6 +48,62 @@ def heed_modes():
     """Take from root the right to write where modes forbid it."""
     if os.geteuid() == 0 and ctypes.CDLL(None, use_errno=True).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0):
         os._exit(77)
+
+
+@pytest.fixture
+def house(tmp_path):
+    """A user's home, temporary folder, working folder and results, all empty, and the variables that say so."""
+    folders = {name: tmp_path / name for name in ("home", "temp", "work", "results")}
+    for folder in folders.values():
+        folder.mkdir()
+    moved = {"HOME": "home", "XDG_CACHE_HOME": "home", "XDG_CONFIG_HOME": "home", "XDG_DATA_HOME": "home"}
+    moved |= dict.fromkeys(("TMPDIR", "TEMP", "TMP", "CPL_TMPDIR"), "temp")
+    # Qt 5 lists the network's interfaces every ten seconds, by a socket of its own; not while we watch.
+    patience = {"QT_BEARER_POLL_TIMEOUT": "100000000"}
+    return folders, {**os.environ, **patience, **{name: str(folders[place]) for name, place in moved.items()}}
+
+
+def state_of(folder):
+    """Content and time of every file; QGIS itself writes statistics beside each raster it loads (.aux.xml)."""
+    files = [path for path in folder.rglob("*") if path.is_file() and not path.name.endswith(".aux.xml")]
+    return {path: (path.stat().st_mtime_ns, hashlib.sha256(path.read_bytes()).hexdigest()) for path in files}
+
+
+def offline(job, house, *algorithms, **more):
+    folders, environment = house
+    command = [sys.executable, str(HELPER), "offline", str(job), str(folders["results"]), *algorithms]
+    return subprocess.run(
+        command, cwd=folders["work"], env={**environment, **more}, stdin=subprocess.DEVNULL, capture_output=True,
+        text=True, timeout=600,
+    )  # fmt: skip
+
+
+def test_no_algorithm_asks_the_internet_or_writes_elsewhere_or_touches_originals(job, house, scene, algorithm_outputs):
+    before, folders = state_of(scene.folder.parent), house[0]
+    offline(job, house, "none of them")
+    qgis_own = {path.name[:7] for path in folders["temp"].iterdir()} | {"process"}  # as in processing_AbCdEf
+    done = offline(job, house)
+    if done.returncode == 77:
+        pytest.skip("the kernel lets nobody forbid sockets here")
+    assert done.returncode == 0, (done.returncode, done.stderr)
+    found = json.loads(done.stdout.splitlines()[-1])
+    assert set(found) == {case.split(":")[0] for case in algorithm_outputs}
+    for name, (said, outputs) in found.items():
+        assert said == "succeeded", name
+        assert all(Path(path).exists() for path in outputs), name
+    assert state_of(scene.folder.parent) == before
+    wanted = {Path(path) for _, outputs in found.values() for path in outputs}
+    strangers = [path for path in folders["results"].iterdir() if path not in wanted and path.suffix != ".xml"]
+    assert strangers == [] and list(folders["work"].iterdir()) == []
+    assert {path.name[:7] for path in folders["temp"].iterdir()} <= qgis_own
+    # Settings and caches are QGIS's; nothing in them is called after us.
+    ours = [path for path in folders["home"].rglob("*") if "skyline" in path.name.lower()]
+    assert ours == []
+
+
+def test_the_kernel_ends_a_process_that_asks_the_internet(job, house):
+    done = offline(job, house, TRY_INTERNET="1")
+    assert done.returncode in (-signal.SIGSYS, 77)
 
 
 @pytest.fixture(scope="module")

@@ -1,21 +1,26 @@
-"""Run every algorithm once for each of its outputs where that output cannot be written (a process of its own).
+"""Run every algorithm under a handicap, in a process of its own.
 
-    writing_faults.py MODE SCENE FOLDER [ALGORITHM...]
+    handicaps.py MODE SCENE FOLDER [ALGORITHM...]
 
-MODE is `full` (FOLDER lies on a disk of its own, which is filled), `limit` (no file can grow, the next best thing where
-nobody may mount a disk) or `closed` (FOLDER becomes read-only). Prints a JSON object: for each case what was said,
-whether an older result has stayed as it was, and what else has appeared in FOLDER.
+MODE `offline` runs each algorithm with all its outputs in FOLDER, and any attempt to open an internet socket ends the
+process with SIGSYS. The other modes run it once for each output, which cannot be written: `full` (FOLDER lies on a disk
+of its own, which is filled), `limit` (no file can grow, the next best thing where nobody may mount a disk) or `closed`
+(FOLDER becomes read-only). Prints a JSON object: for each case what was said, and what has become of the results.
 """
 
 from __future__ import annotations
 
+import ctypes
 import json
 import os
+import platform
 import resource
+import struct
 import sys
 from contextlib import suppress
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parent.parent
 MODE, SCENE, FOLDER = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
 CHOSEN = sys.argv[4:]
 LIMIT_BYTES = 64
@@ -27,6 +32,7 @@ def main():
 
     application = QgsApplication([], False)
     application.initQgis()
+    sys.path.insert(0, str(ROOT / "build" / "plugins"))
     sys.path.append(str(Path(QgsApplication.pkgDataPath()) / "python" / "plugins"))
     from processing.core.Processing import Processing
     from skyline_viewshed.processing_provider.provider import SkylineViewshedProvider
@@ -35,6 +41,23 @@ def main():
     provider = SkylineViewshedProvider()
     QgsApplication.processingRegistry().addProvider(provider)
     cases = {name: given for name, given in inputs().items() if not CHOSEN or name in CHOSEN}
+    print(json.dumps(run_offline(provider, cases) if MODE == "offline" else run_spoiled(provider, cases)))
+    sys.stdout.flush()
+    os._exit(0)  # QGIS's own farewell is not what is tested
+
+
+def run_offline(provider, cases):
+    """Run each algorithm with all outputs; gives {algorithm: (message, paths of the outputs)}."""
+    forbid_internet()
+    found = {}
+    for name, given in cases.items():
+        outputs = {item.name(): str(path_of(provider.algorithm(name), item)) for item in outputs_of(provider, name)}
+        found[name] = run(provider.algorithm(name), {**given, **outputs}), list(outputs.values())
+    return found
+
+
+def run_spoiled(provider, cases):
+    """Run each algorithm once for each output; gives {algorithm:output: as `one_case` does}."""
     spoil_folder([path_of(provider.algorithm(name), output) for name in cases for output in outputs_of(provider, name)])
     found = {}
     for name, given in cases.items():
@@ -43,9 +66,7 @@ def main():
         others = {item.name(): "TEMPORARY_OUTPUT" for item in outputs if not is_optional(item)}
         for output in outputs:
             found[f"{name}:{output.name()}"] = one_case(provider.algorithm(name), {**given, **others}, output)
-    print(json.dumps(found))
-    sys.stdout.flush()
-    os._exit(0)  # QGIS's own farewell is not what is tested
+    return found
 
 
 def outputs_of(provider, name):
@@ -80,24 +101,58 @@ def spoil_folder(paths):
 
 def one_case(algorithm, parameters, output):
     """Run with one output in FOLDER; gives (message, whether the older result is as it was, what is new)."""
-    import processing
-    from qgis.core import QgsProcessingException, QgsProcessingFeedback
-
     path, before = path_of(algorithm, output), set(FOLDER.rglob("*"))
-    feedback, said = QgsProcessingFeedback(False), "succeeded"
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     if MODE == "limit":
         resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT_BYTES, limits[1]))
-    try:
-        processing.run(algorithm.id(), {**parameters, output.name(): str(path)}, feedback=feedback)
-    except QgsProcessingException as error:
-        said = f"{error}\n{feedback.textLog()}"
-    except Exception as error:
-        said = f"Traceback {error!r}"
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    said = run(algorithm, {**parameters, output.name(): str(path)})
+    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     new = sorted(str(item.relative_to(FOLDER)) for item in set(FOLDER.rglob("*")) - before)
     return said, not path.suffix or path.read_bytes() == OLDER, new
+
+
+def run(algorithm, parameters):
+    """Run, and give what was said; layers that QGIS would load are let go."""
+    import processing
+    from qgis.core import QgsProcessingException, QgsProcessingFeedback
+
+    feedback = QgsProcessingFeedback(False)
+    try:
+        processing.run(algorithm.id(), parameters, feedback=feedback)
+    except QgsProcessingException as error:
+        return f"{error}\n{feedback.textLog()}"
+    except Exception as error:
+        return f"Traceback {error!r}"
+    return "succeeded"
+
+
+def forbid_internet():
+    """Have the kernel end this process, all threads of it, at the first socket of an internet family.
+
+    A seccomp filter, for what Python itself can block are Python's sockets only. Ends with 77 where that is refused.
+    """
+    audit, seccomp, socket = {"x86_64": (0xC000003E, 317, 41), "aarch64": (0xC00000B7, 277, 198)}.get(
+        platform.machine(), (0, 0, 0)
+    )
+    load, equal, leave = 0x20, 0x15, 0x06
+    program = [
+        (load, 0, 0, 4), (equal, 0, 6, audit), (load, 0, 0, 0), (equal, 0, 4, socket), (load, 0, 0, 16),
+        (equal, 1, 0, 2), (equal, 0, 1, 10), (leave, 0, 0, 0x80000000), (leave, 0, 0, 0x7FFF0000),
+    ]  # fmt: skip
+    code = ctypes.create_string_buffer(b"".join(struct.pack("HBBI", *line) for line in program))
+    program = ctypes.create_string_buffer(struct.pack("HxxxxxxP", len(program), ctypes.addressof(code)))
+    libc = ctypes.CDLL(None, use_errno=True)
+    no_new_privileges, set_filter, all_threads = 38, 1, 1
+    if (
+        not audit
+        or libc.prctl(no_new_privileges, 1, 0, 0, 0)
+        or libc.syscall(seccomp, set_filter, all_threads, program)
+    ):
+        os._exit(77)
+    if os.environ.get("TRY_INTERNET"):
+        import socket as internet
+
+        internet.socket()
 
 
 def inputs():
