@@ -68,17 +68,14 @@ class ViewshedOutputs:
         return path
 
     def _strips(self, feedback):
-        """Yield (first row, counts) from north to south; voids of the DEM are nodata."""
-        import numpy as np
+        """Yield (first row, counts) from north to south; what a photo may see or not is nodata where none sees it.
 
-        from ..core.terrain import Window
-
-        progress, (rows, cols) = FeedbackProgress(feedback), self.dem.shape
+        The viewsheds know of the DEM's voids in their areas, so that the DEM is not read again.
+        """
+        progress, rows = FeedbackProgress(feedback), self.dem.shape[0]
         for row in range(0, rows, STRIP_ROWS):
             checkpoint(progress, 0.95 + 0.05 * row / rows)
-            height = min(STRIP_ROWS, rows - row)
-            seen, unknown = self.count.strip(row, height)
-            unknown |= np.isnan(self.dem.read(Window(row, 0, height, cols))) & (seen == 0)
+            seen, unknown = self.count.strip(row, min(STRIP_ROWS, rows - row))
             seen[unknown] = COUNT_NODATA
             yield row, seen
 

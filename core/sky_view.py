@@ -24,7 +24,7 @@ import numpy as np
 from .angles import difference
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .progress import SILENT, checkpoint
-from .terrain import Window, bilinear
+from .terrain import Window
 
 
 def sky_view_of_horizon(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0):
@@ -131,41 +131,73 @@ def _tile(terrain, tile, options):
     frame = terrain.frame(longitude, latitude, max(options.max_distance_m, 1000.0))
     jacobian = frame.jacobian_px_per_m
     margin = int(np.ceil(options.max_distance_m * np.abs(jacobian).sum(axis=1).max())) + 2
-    around = Window(tile.row - margin, tile.col - margin, tile.rows + 2 * margin, tile.cols + 2 * margin)
-    around = around.clipped(terrain.shape)
-    cells = terrain.read(around)
-    row = np.arange(tile.rows)[:, None] + (tile.row - around.row)
-    col = np.arange(tile.cols)[None, :] + (tile.col - around.col)
-    ground = cells[row, col]
+    cells = _with_margin(terrain, tile, margin)
+    ground = cells[margin:-margin, margin:-margin]
     azimuth = np.arange(options.azimuths) * (360.0 / options.azimuths)
-    horizon = np.stack([_horizon(cells, ground, row, col, np.radians(one), frame, options) for one in azimuth])
-    slope, aspect = _facets(cells, row, col, jacobian) if options.inclined else (0.0, 0.0)
+    horizon = np.stack([_horizon(cells, ground, margin, np.radians(one), frame, options) for one in azimuth])
+    slope, aspect = _facets(cells, margin, jacobian) if options.inclined else (0.0, 0.0)
     factor = sky_view_of_horizon(azimuth, horizon, slope, aspect).astype(np.float32)
     return np.where(np.isnan(ground), np.float32(np.nan), factor)
 
 
-def _horizon(cells, ground, row, col, azimuth, frame, options):
+def _with_margin(terrain, tile, margin):
+    """Cells of a tile and of so many around it, NaN beyond the raster."""
+    wanted = Window(tile.row - margin, tile.col - margin, tile.rows + 2 * margin, tile.cols + 2 * margin)
+    inside = wanted.clipped(terrain.shape)
+    cells = np.full((wanted.rows, wanted.cols), np.nan, np.float32)
+    row, col = inside.row - wanted.row, inside.col - wanted.col
+    cells[row : row + inside.rows, col : col + inside.cols] = terrain.read(inside)
+    return cells
+
+
+def _horizon(cells, ground, margin, azimuth, frame, options):
     """Horizon of all cells of a tile in one direction [degrees]: the tile is shifted along the ray."""
-    highest = np.full(ground.shape, -np.inf)
+    highest = np.full(ground.shape, -np.inf, np.float32)
     along = frame.jacobian_px_per_m @ [np.sin(azimuth), np.cos(azimuth)]
     distance = frame.cell_m
     while distance <= options.max_distance_m:
         # Rounded, so that noise in the twelfth digit gives no weight to a void beside an exactly met cell.
-        z = bilinear(cells, row + np.round(along[1] * distance, 6), col + np.round(along[0] * distance, 6))
-        rise = z - ground - apparent_drop_m(distance, options.refraction_coefficient)
-        np.fmax(highest, rise / distance, out=highest)
+        rise = _shifted(
+            cells, ground.shape, margin + round(along[1] * distance, 6), margin + round(along[0] * distance, 6)
+        )
+        rise -= ground
+        rise -= np.float32(apparent_drop_m(distance, options.refraction_coefficient))
+        rise *= np.float32(1 / distance)
+        np.fmax(highest, rise, out=highest)
         distance += max(frame.cell_m, options.step_growth * distance)
-    return np.degrees(np.arctan(np.where(np.isfinite(highest), highest, 0.0)))
+    return np.degrees(np.arctan(np.where(np.isfinite(highest), highest, np.float32(0.0))))
 
 
-def _facets(cells, row, col, jacobian):
-    """Slope and aspect of cells [degrees], by central differences in true metres."""
-    rows, cols = cells.shape
-    up, down = np.maximum(row - 1, 0), np.minimum(row + 1, rows - 1)
-    left, right = np.maximum(col - 1, 0), np.minimum(col + 1, cols - 1)
-    per_row = (cells[down, col] - cells[up, col]) / np.maximum(down - up, 1)
-    per_col = (cells[row, right] - cells[row, left]) / np.maximum(right - left, 1)
+def _shifted(cells, shape, row_px, col_px):
+    """Bilinear elevations of a grid of `shape` whose first place is (row, column): all have the same weights."""
+    total = None
+    for row, row_weight in _weights(row_px):
+        for col, col_weight in _weights(col_px):
+            part = cells[row : row + shape[0], col : col + shape[1]] * np.float32(row_weight * col_weight)
+            total = part if total is None else np.add(total, part, out=total)
+    return total
+
+
+def _weights(place_px):
+    """The one or two whole pixels around a place, and their weights."""
+    first = int(np.floor(place_px))
+    share = place_px - first
+    return ((first, 1 - share), (first + 1, share)) if share > 0 else ((first, 1.0),)
+
+
+def _facets(cells, margin, jacobian):
+    """Slope and aspect of a tile's cells [degrees], by central differences in true metres; one-sided at edges."""
+    low, high = slice(margin - 1, -margin - 1), slice(margin + 1, -margin + 1 or None)
+    middle = slice(margin, -margin)
+    ground = cells[middle, middle]
+    per_row = _difference(cells[low, middle], ground, cells[high, middle])
+    per_col = _difference(cells[middle, low], ground, cells[middle, high])
     east = per_col * jacobian[0, 0] + per_row * jacobian[1, 0]
     north = per_col * jacobian[0, 1] + per_row * jacobian[1, 1]
-    east, north = np.nan_to_num(east), np.nan_to_num(north)
     return np.degrees(np.arctan(np.hypot(east, north))), np.degrees(np.arctan2(-east, -north))
+
+
+def _difference(before, here, after):
+    """Rise per cell, from the two neighbours or the one that is known; 0 where neither is."""
+    return np.nan_to_num(np.where(np.isnan(before), after - here, np.where(np.isnan(after), here - before,
+                                                                           (after - before) / 2)))  # fmt: skip

@@ -1,5 +1,9 @@
 """Two bits per cell hold what a byte holds, and read like an array."""
 
+import json
+import subprocess
+import sys
+
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -30,3 +34,42 @@ def test_a_single_cell_is_set_anew():
     sink.set(2, 5, 255)
     sink.set(2, 5, 1)
     assert sink.values[2:3, 2:3] == 1 and sink.values[:, :].sum() == 1
+
+
+GIGAPIXELS = """
+import json, resource, sys
+import numpy as np
+from osgeo import gdal, osr
+from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.terrain import Observer
+from skyline_viewshed.core.viewshed import PackedSink, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.viewshed_count import SeenCount
+
+folder = sys.argv[1]
+utm = osr.SpatialReference()
+utm.ImportFromEPSG(32632)
+small = gdal.GetDriverByName("GTiff").Create(folder + "/small.tif", 40, 40, 1, gdal.GDT_Float32)
+small.SetProjection(utm.ExportToWkt())
+small.SetGeoTransform((400000, 5000, 0, 5400000, 0, -5000))
+small.GetRasterBand(1).WriteArray(np.add.outer(np.arange(40.0), -np.arange(40.0)).astype("f4") * 20)
+small = None
+gdal.Translate(folder + "/big.vrt", folder + "/small.tif", format="VRT", width=40000, height=40000)
+dem = open_dem(folder + "/big.vrt")
+eye = Observer(*map(float, dem.position_of(4000, 36000)), eye_elevation_m=12000.0)
+seen = viewshed(dem, eye, Wedge(45.0, 0.2), ViewshedOptions(max_distance_m=165000.0), sink=PackedSink)
+count = SeenCount(dem.shape)
+count.add(seen.window, seen.values)
+far = count.strip(20000, 256)[0]
+facts = seen.window.rows * seen.window.cols, int((far == 1).sum())
+print(json.dumps([*facts, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024]))
+"""
+
+
+def test_a_window_of_half_a_billion_cells_of_a_gigapixel_raster_stays_small(tmp_path):
+    script = [sys.executable, "-c", GIGAPIXELS, str(tmp_path)]
+    done = subprocess.run(script, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    cells, seen_far, memory_mb = json.loads(done.stdout.splitlines()[-1])
+    assert cells > 500_000_000
+    assert seen_far > 256 * 20  # the wedge is some forty cells wide there
+    assert memory_mb < 600, "a byte per cell alone would take 550"
