@@ -21,6 +21,9 @@ pytestmark = pytest.mark.qgis
 LIMIT_BYTES = 60_000
 """Largest file of the run on a nearly full disk: enough for QGIS's own settings, too little for a report."""
 MANY = 10_000
+BYTES_PER_PHOTO = 10_000
+"""What the list of a folder may hold for each photograph."""
+BYTES_FOR_A_REFUSAL = 32 * 2**20
 HOSTILE = 'it\'s <img src=x onerror=alert(1)> & "100 %" 🏔 Säntis.jpg'
 
 
@@ -281,20 +284,92 @@ def test_a_hostile_file_name_stays_text_in_the_report(odd_run):
     assert "<img src=x" not in report and "&lt;img src=x onerror=alert(1)&gt;" in report
 
 
-def test_a_folder_of_ten_thousand_photographs_is_read(qgis_process, tmp_path):
+def peak_bytes(environment, *arguments):
+    """Run qgis_process; gives its exit code and the most memory that it held."""
+    process = subprocess.Popen(
+        ["qgis_process", *arguments],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_maxrss * 1024
+
+
+def test_a_folder_of_ten_thousand_photographs_is_read_in_little_memory(qgis_process, shell_environment, tmp_path):
     from skyline_viewshed.core.io.write_photo import write_photo
     from skyline_viewshed.core.model import PhotoMetadata
 
-    folder, output = tmp_path / "many", tmp_path / "photos.gpkg"
+    folder, few, output = tmp_path / "many", tmp_path / "few", tmp_path / "photos.gpkg"
     folder.mkdir()
+    few.mkdir()
     first = folder / "00000.jpg"
     metadata = PhotoMetadata(str(first), 64, 48, latitude_deg=46.5, longitude_deg=8.0, focal_length_35mm=28.0)
     write_photo(str(first), np.zeros((48, 64, 3), np.uint8), metadata)
     for number in range(1, MANY):
         os.link(first, folder / f"{number:05d}.jpg")
-    done = qgis_process("run", "skylineviewshed:importphotos", "--", f"FOLDER={folder}", f"OUTPUT={output}")
-    assert done.returncode == 0, done.stderr
+    os.link(first, few / first.name)
+    peaks = []
+    for photos in (few, folder):
+        arguments = ("run", "skylineviewshed:importphotos", "--", f"FOLDER={photos}", f"OUTPUT={output}")
+        code, peak = peak_bytes(shell_environment, *arguments)
+        assert code == 0, qgis_process(*arguments).stderr
+        peaks.append(peak)
     assert len(rows_of(output)) == MANY
+    assert peaks[1] - peaks[0] < MANY * BYTES_PER_PHOTO, peaks
+
+
+BOMBS = """
+import resource, struct, sys, zlib
+from pathlib import Path
+from osgeo import gdal
+from skyline_viewshed.core.errors import PhotoError
+from skyline_viewshed.core.io.photo import read_metadata, read_photo
+
+folder = Path(sys.argv[1])
+
+def chunk(kind, payload):
+    return struct.pack(">I", len(payload)) + kind + payload + struct.pack(">I", zlib.crc32(kind + payload))
+
+def png(path, side):
+    squeezed, zeros = zlib.compressobj(1), bytes(3 * side + 1)
+    rows = b"".join(squeezed.compress(zeros) for _ in range(side)) + squeezed.flush()
+    header = chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0))
+    path.write_bytes(b"\\x89PNG\\r\\n\\x1a\\n" + header + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+
+def tiff(path, side):
+    options = ["TILED=YES", "SPARSE_OK=TRUE", "COMPRESS=DEFLATE", "BIGTIFF=YES"]
+    gdal.GetDriverByName("GTiff").Create(str(path), side, side, 3, gdal.GDT_Byte, options)
+
+png(folder / "honest.png", 500)
+tiff(folder / "honest.tif", 500)
+png(folder / "bomb.png", int(sys.argv[2]))
+tiff(folder / "bomb.tif", 50_000)
+for name in ("honest.png", "honest.tif"):
+    read_photo(str(folder / name), 1600)
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+for name in ("bomb.png", "bomb.tif"):
+    for read in (read_metadata, read_photo):
+        try:
+            read(str(folder / name))
+        except PhotoError as error:
+            assert "megapixels" in str(error), error
+        else:
+            raise AssertionError(name)
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024)
+"""
+
+
+def test_true_pictures_of_many_gigabytes_are_refused_before_they_are_unpacked(tmp_path):
+    script = tmp_path / "bombs.py"
+    script.write_text(BOMBS)
+    command = [sys.executable, str(script), str(tmp_path), "16000"]
+    done = subprocess.run(command, env=PLAIN, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "bomb.png").stat().st_size < 10_000_000, "small on the disk, 768 MB unpacked"
+    assert int(done.stdout.split()[-1]) < BYTES_FOR_A_REFUSAL
 
 
 def test_the_same_dem_as_cog_and_in_other_coordinate_systems_gives_the_same_heading(scene, tmp_path):
