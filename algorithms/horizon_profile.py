@@ -23,7 +23,11 @@ from .horizon_report import HorizonReport
 from .i18n import tr
 from .layers import read_points
 from .outputs import write_features
+from .sky_view_output import add_sky_view_parameters, sky_view_fault, write_sky_view
 from .styling import style_on_completion
+
+PROFILES_PART = 0.4
+"""Of the progress bar, where a raster of sky view factors follows."""
 
 
 class HorizonProfile(SkylineAlgorithm):
@@ -56,6 +60,10 @@ class HorizonProfile(SkylineAlgorithm):
                 "<b>clipped</b> is true where the elevation model ends before the search range and higher terrain "
                 "could stand beyond it. <b>svf</b> is the sky view factor of the source point (1 = open sky)."
             ),
+            tr(
+                "Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own "
+                "slope taken into account (Dozier and Frew 1990)."
+            ),
         ]
 
     def initAlgorithm(self, config=None):
@@ -78,13 +86,22 @@ class HorizonProfile(SkylineAlgorithm):
             )
         )
         self.addParameter(shared.advanced(shared.refraction(defaults.refraction_coefficient)))
-        self.addParameter(shared.points_out("OUTPUT", tr("Horizon")))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Horizon"),
+                text=tr("One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m)."),
+            )
+        )
         self.addParameter(shared.report_out())
+        add_sky_view_parameters(self)
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of points with a horizon")))
 
     def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
+        """Check the DEM, and the raster of sky view factors."""
+        return dem_fault(self, parameters, context) or sky_view_fault(
+            self, parameters, context, dem_source(self, parameters, context)
+        )
 
     def prepareAlgorithm(self, parameters, context, feedback):
         """Take from the layers what they give in the main thread only."""
@@ -100,13 +117,15 @@ class HorizonProfile(SkylineAlgorithm):
             refraction_coefficient=self.parameterAsDouble(parameters, "REFRACTION", context),
         )
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+        end = PROFILES_PART if parameters.get("SKY_VIEW") is not None else 0.95
         features, count = [], 0
         with HorizonReport(self, parameters, context) as report:
-            for row, profile in cast_each(rows, self.dem.open(), eye_height_m, options, feedback):
+            for row, profile in cast_each(rows, self.dem.open(), eye_height_m, options, feedback, end):
                 svf = sky_view(profile)
                 features += horizon_features(row, profile, svf, source.sourceCrs())
                 report.add(row, profile, svf)
                 count += 1
+            sky = write_sky_view(self, parameters, context, self.dem, feedback, (end, 0.95))
             specs = horizon_specs()
             output = write_features(
                 self,
@@ -119,18 +138,19 @@ class HorizonProfile(SkylineAlgorithm):
                 features,
             )
         style_on_completion(context, output, "horizon", tr("Horizon"), specs, self.displayName())
-        return {"OUTPUT": output, "COUNT": count, **report.outputs()}
+        outputs = {"OUTPUT": output, "COUNT": count, **report.outputs()}
+        return outputs if sky is None else {**outputs, "SKY_VIEW": sky}
 
 
-def cast_each(rows, dem, eye_height_m, options, feedback):
-    """Yield (row, profile) for each point that the DEM covers; the others are warned of."""
+def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
+    """Yield (row, profile) for each point that the DEM covers; the others are warned of. Progress goes to `end`."""
     from ..core.horizon import horizon_profile
     from ..core.terrain import Observer
 
     progress = FeedbackProgress(feedback)
     for index, row in enumerate(rows):
         announce(feedback, row.name, index, len(rows))
-        part = subtask(progress, 0.95 * index / len(rows), 0.95 * (index + 1) / len(rows))
+        part = subtask(progress, end * index / len(rows), end * (index + 1) / len(rows))
         if row.longitude_deg is None:
             warn(feedback, row.name, tr("The point has no usable position."))
             continue
@@ -139,7 +159,7 @@ def cast_each(rows, dem, eye_height_m, options, feedback):
             yield row, horizon_profile(dem, observer, options, part)
         except PhotoError as error:
             warn(feedback, row.name, str(error))
-    checkpoint(progress, 0.95)
+    checkpoint(progress, end)
 
 
 def sky_view(profile):

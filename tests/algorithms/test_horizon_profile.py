@@ -1,9 +1,10 @@
 import numpy as np
 import pytest
-from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsVectorLayer
+from osgeo import gdal
+from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsRectangle, QgsVectorLayer
 from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Observer
+from skyline_viewshed.core.terrain import Observer, Window
 
 
 def point_layer(points, crs="EPSG:4326"):
@@ -18,9 +19,13 @@ def point_layer(points, crs="EPSG:4326"):
 
 def test_parameters_are_the_contract(algorithm):
     it = algorithm("horizonprofile")
-    names = [definition.name() for definition in it.parameterDefinitions()]
-    assert names == [
+    definitions = it.parameterDefinitions()
+    assert [definition.name() for definition in definitions[:9]] == [
         "INPUT", "DEM", "BAND", "EYE_HEIGHT", "MAX_DISTANCE", "AZIMUTH_STEP", "REFRACTION", "OUTPUT", "REPORT",
+    ]  # fmt: skip
+    flags = [definition.flags() & definition.Flag.FlagAdvanced for definition in definitions[9:]]
+    assert all(flags) and [definition.name() for definition in definitions[9:]] == [
+        "SKY_VIEW_EXTENT", "SKY_VIEW_DISTANCE", "SKY_VIEW",
     ]  # fmt: skip
 
 
@@ -88,3 +93,61 @@ def test_any_dem_will_do(run, shared_data):
         assert results["COUNT"] == 1, (name, feedback.warnings)
         known = [angle for angle in angles if angle is not None and not hasattr(angle, "isNull")]
         assert len(known) >= 12 and -30 < min(known) < max(known) < 70, name
+
+
+class TestSkyView:
+    @pytest.fixture
+    def ask(self, scene, tmp_path):
+        """Parameters for a raster of a part of the scene's DEM, which lies around (0, 0) of its own plane."""
+        given = {"INPUT": point_layer([scene.positions["west"]]), "DEM": str(scene.dem), "OUTPUT": "memory:"}
+        return {**given, "AZIMUTH_STEP": 5, "MAX_DISTANCE": 5000, "SKY_VIEW": str(tmp_path / "sky.tif")}
+
+    def raster(self, run, ask, **changes):
+        results, feedback = run("horizonprofile", {**ask, **changes})
+        return gdal.Open(results["SKY_VIEW"]), feedback
+
+    def test_cells_have_the_factor_of_their_own_horizon_and_slope(self, run, scene, ask):
+        extent = QgsRectangle(-3000, -1500, 1500, 4000)
+        dataset, feedback = self.raster(run, ask, SKY_VIEW_EXTENT=extent, SKY_VIEW_DISTANCE=6000)
+        assert (dataset.RasterXSize, dataset.RasterYSize) == (60, 74) and sorted(feedback.fractions)[-1] >= 95
+        assert feedback.fractions == sorted(feedback.fractions)
+        sky, transform, dem = dataset.ReadAsArray(), dataset.GetGeoTransform(), open_dem(str(scene.dem))
+        col0 = round((transform[0] - dem.geotransform[0]) / 75)
+        row0 = round((transform[3] - dem.geotransform[3]) / -75)
+        cells = dem.read(Window(0, 0, *dem.shape)).astype(float)
+        for row, col in ((5, 7), (40, 30), (70, 55)):
+            r, c = row + row0, col + col0
+            place = Observer(*map(float, dem.position_of(c, r)), eye_elevation_m=cells[r, c])
+            profile = horizon_profile(dem, place, HorizonOptions(azimuth_step_deg=1, max_distance_m=6000))
+            # The definition as a sum over the hemisphere's patches, weighted by the cosine of incidence.
+            east, north = (cells[r, c + 1] - cells[r, c - 1]) / 150, (cells[r - 1, c] - cells[r + 1, c]) / 150
+            phi, angle = np.meshgrid(
+                np.radians(profile.azimuth_deg), np.radians(np.arange(0.25, 90, 0.5)), indexing="ij"
+            )
+            normal = np.array([-east, -north, 1.0]) / np.sqrt(east**2 + north**2 + 1)
+            toward = np.stack([np.cos(angle) * np.sin(phi), np.cos(angle) * np.cos(phi), np.sin(angle)])
+            incidence = np.tensordot(normal, toward, 1)
+            lit = (angle > np.radians(np.maximum(profile.elevation_deg, 0))[:, None]) & (incidence > 0)
+            expected = (incidence * np.cos(angle) * lit).sum() * np.radians(0.5) * np.radians(1) / np.pi
+            assert sky[row, col] == pytest.approx(expected, abs=0.03)
+
+    def test_without_an_extent_it_covers_the_dem_and_is_made_only_when_asked_for(self, run, scene, ask):
+        whole, _ = self.raster(run, ask, SKY_VIEW_DISTANCE=500)
+        dem = open_dem(str(scene.dem))
+        assert (whole.RasterYSize, whole.RasterXSize) == dem.shape
+        assert whole.GetRasterBand(1).GetDescription() == "sky view factor"
+        values = whole.ReadAsArray()
+        assert values.min() >= 0 and values.max() <= 1 and values.std() > 0.005
+        results, _ = run("horizonprofile", {key: ask[key] for key in ask if key != "SKY_VIEW"})
+        assert "SKY_VIEW" not in results
+
+    def test_an_extent_beside_the_dem_and_an_endless_range_are_refused(self, refusal, ask):
+        aside = {**ask, "SKY_VIEW_EXTENT": QgsRectangle(500_000, 500_000, 600_000, 600_000)}
+        assert "does not meet the DEM" in refusal("horizonprofile", aside)
+        assert "900000 m at most" in refusal("horizonprofile", {**ask, "SKY_VIEW_DISTANCE": 2_000_000})
+        assert refusal("horizonprofile", {**aside, "SKY_VIEW": None}) == ""
+
+    def test_cancelling_leaves_no_raster(self, run, ask, listener, tmp_path):
+        with pytest.raises(QgsProcessingException, match="Cancelled"):
+            run("horizonprofile", ask, listener(cancel_at=50))
+        assert list(tmp_path.iterdir()) == []
