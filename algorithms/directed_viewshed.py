@@ -58,6 +58,16 @@ class DirectedViewshed(SkylineAlgorithm):
                 "unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are "
                 "true and distances ground metres, whatever the coordinate system."
             ),
+            tr(
+                "Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, "
+                "place in the picture), probabilities that carry the errors of pose, position and DEM, and the "
+                "photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are "
+                "computed together."
+            ),
+            tr(
+                "A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and "
+                "probabilities is taken from there if DEM, pose and settings are still the same."
+            ),
         ]
 
     def initAlgorithm(self, config=None):
@@ -67,6 +77,7 @@ class DirectedViewshed(SkylineAlgorithm):
         defaults = ViewshedOptions()
         points = shared.photo_source()
         points.setDescription(tr("Oriented photo points"))
+        points.setHelp(tr("From Orient photos, or any points with heading, pitch, roll and field of view."))
         self.addParameter(points)
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
@@ -87,10 +98,20 @@ class DirectedViewshed(SkylineAlgorithm):
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         add_range_parameters(self)
         self.addParameter(shared.advanced(shared.refraction(defaults.refraction_coefficient)))
-        self.addParameter(shared.raster_out("OUTPUT", tr("Viewshed")))
+        self.addParameter(
+            shared.raster_out(
+                "OUTPUT",
+                tr("Viewshed"),
+                text=tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+            )
+        )
         self.addParameter(
             shared.points_out(
-                "POLYGONS", tr("Ground in view"), QgsProcessing.SourceType.TypeVectorPolygon, optional=True
+                "POLYGONS",
+                tr("Ground in view"),
+                QgsProcessing.SourceType.TypeVectorPolygon,
+                optional=True,
+                text=tr("One multipolygon per photograph, with the area seen (m²) and the farthest distance (m)."),
             )
         )
         self.addParameter(

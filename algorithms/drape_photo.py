@@ -66,8 +66,22 @@ class DrapePhoto(SkylineAlgorithm):
             "MIN_DISTANCE", tr("Minimum distance (m)"), 0.0, tr("Ground nearer than this is left out.")
         )
         self.addParameter(shared.advanced(nearest))
-        self.addParameter(shared.raster_out("OUTPUT", tr("Draped photos")))
-        self.addParameter(shared.raster_out("GSD", tr("Ground sampling distance"), optional=True, create=False))
+        self.addParameter(
+            shared.raster_out(
+                "OUTPUT",
+                tr("Draped photos"),
+                text=tr("GeoTIFF of red, green, blue and opacity; transparent where no photo sees the cell."),
+            )
+        )
+        self.addParameter(
+            shared.raster_out(
+                "GSD",
+                tr("Ground sampling distance"),
+                optional=True,
+                create=False,
+                text=tr("Metres per pixel of the best photo: band 1 across the view, band 2 along it."),
+            )
+        )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos draped")))
         self.addOutput(QgsProcessingOutputNumber("CELLS", tr("Number of cells with colour")))
 

@@ -60,8 +60,22 @@ class ExtractSkyline(SkylineAlgorithm):
         photos.setDataTypes([QgsProcessing.SourceType.TypeVector])
         self.addParameter(photos)
         self.addParameter(shared.photo_field())
-        self.addParameter(shared.method())
-        self.addParameter(shared.points_out("OUTPUT", tr("Skylines"), QgsProcessing.SourceType.TypeVector))
+        text = tr(
+            "Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, "
+            "column by column."
+        )
+        self.addParameter(shared.method(text=text))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Skylines"),
+                QgsProcessing.SourceType.TypeVector,
+                text=tr(
+                    "One row per picture column: photo, column and row (px of the upright picture), confidence (0 to "
+                    "1)."
+                ),
+            )
+        )
         self.addParameter(
             shared.folder_out("OVERLAYS", tr("Folder of overlays"), tr("One PNG per photograph with its skyline."))
         )

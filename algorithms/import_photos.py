@@ -68,10 +68,21 @@ class ImportPhotos(SkylineAlgorithm):
                 tr("Look into all folders below as well."),
             )
         )
-        self.addParameter(shared.points_out("OUTPUT", tr("Photos")))
         self.addParameter(
             shared.points_out(
-                "REJECTED", tr("Rejected photos"), QgsProcessing.SourceType.TypeVector, optional=True, create=False
+                "OUTPUT",
+                tr("Photos"),
+                text=tr("One point per photograph at the recorded position, with the recorded altitude as Z."),
+            )
+        )
+        self.addParameter(
+            shared.points_out(
+                "REJECTED",
+                tr("Rejected photos"),
+                QgsProcessing.SourceType.TypeVector,
+                optional=True,
+                create=False,
+                text=tr("Table of the files that give no point, each with the reason."),
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))

@@ -60,7 +60,16 @@ class LabelPeaks(SkylineAlgorithm):
         """Declare parameters and outputs."""
         add_view_parameters(self, 100_000.0)
         add_summit_parameters(self)
-        self.addParameter(shared.points_out("OUTPUT", tr("Summits in photos")))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Summits in photos"),
+                text=tr(
+                    "One point per summit and photo in whose frame it lies, with name, distance (m) and place in the "
+                    "picture (px)."
+                ),
+            )
+        )
         text = tr("One PNG and one SVG per photo with the names written in.")
         self.addParameter(shared.folder_out("PICTURES", tr("Folder for labelled photos"), text))
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of summits in frame")))

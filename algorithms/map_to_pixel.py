@@ -72,10 +72,27 @@ class MapToPixel(SkylineAlgorithm):
         self.addParameter(shared.advanced(above))
         step = shared.number("STEP", tr("Step along lines (px)"), 2.0, tr("How finely lines are followed."), 0.1)
         self.addParameter(shared.advanced(step))
-        self.addParameter(shared.points_out("OUTPUT", tr("Points in pictures"), optional=True))
         self.addParameter(
             shared.points_out(
-                "LINES", tr("Lines and outlines in pictures"), QgsProcessing.SourceType.TypeVectorLine, optional=True
+                "OUTPUT",
+                tr("Points in pictures"),
+                optional=True,
+                text=tr(
+                    "Points in pixels of the upright picture, rows as negative y; state says whether the photo shows "
+                    "them."
+                ),
+            )
+        )
+        self.addParameter(
+            shared.points_out(
+                "LINES",
+                tr("Lines and outlines in pictures"),
+                QgsProcessing.SourceType.TypeVectorLine,
+                optional=True,
+                text=tr(
+                    "Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out "
+                    "of sight."
+                ),
             )
         )
         text = tr("One PNG and one SVG per photo with the features drawn in; hidden parts are dashed.")

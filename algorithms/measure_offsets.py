@@ -95,7 +95,16 @@ class MeasureOffsets(SkylineAlgorithm):
             )
             text = tr("Left empty: the first of {names} that the table has.").format(names=", ".join(candidates))
             self.addParameter(shared.explained(shared.advanced(field), text))
-        self.addParameter(shared.points_out("OUTPUT", tr("Offsets per photo"), QgsProcessing.SourceType.TypeVector))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Offsets per photo"),
+                QgsProcessing.SourceType.TypeVector,
+                text=tr(
+                    "One row per photograph: number of pairs and mean offsets in azimuth, elevation and in total (°)."
+                ),
+            )
+        )
         for name, label in (
             ("PAIRS", tr("Number of pairs")),
             ("MEAN_AZIMUTH", tr("Mean azimuth offset over all pairs (°)")),

@@ -75,7 +75,16 @@ class OrientPhotos(SkylineAlgorithm):
         add_field_parameters(self)
         add_terrain_parameters(self)
         add_rescue_parameters(self)
-        self.addParameter(shared.points_out("OUTPUT", tr("Oriented photos")))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Oriented photos"),
+                text=tr(
+                    "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, "
+                    "how sure they are, status and message."
+                ),
+            )
+        )
         self.addParameter(shared.report_out())
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
         self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))

@@ -47,7 +47,7 @@ def add_terrain_parameters(algorithm):
     defaults = HorizonOptions()
     for parameter in (
         shared.eye_height(),
-        shared.max_distance(defaults.max_distance_m),
+        shared.max_distance(defaults.max_distance_m, shared.horizon_distance_text()),
         shared.refraction(defaults.refraction_coefficient),
     ):
         algorithm.addParameter(shared.advanced(parameter))

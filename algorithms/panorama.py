@@ -81,7 +81,12 @@ class Panorama(SkylineAlgorithm):
         self.addParameter(shared.folder_out("FOLDER", tr("Folder for panoramas"), text, optional=False, create=True))
         self.addParameter(
             shared.points_out(
-                "OUTPUT", tr("Ridges in view"), QgsProcessing.SourceType.TypeVectorLine, optional=True, create=False
+                "OUTPUT",
+                tr("Ridges in view"),
+                QgsProcessing.SourceType.TypeVectorLine,
+                optional=True,
+                create=False,
+                text=tr("The drawn ridges as lines on the map, with distance (m) and elevation angle (°)."),
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of panoramas")))

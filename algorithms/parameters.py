@@ -95,15 +95,23 @@ def band(name="BAND", parent="DEM"):
     )
 
 
-def method(name="METHOD"):
+def horizon_distance_text():
+    """Tooltip of the range in which a skyline is searched."""
+    return tr(
+        "How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km."
+    )
+
+
+def method(name="METHOD", text=None):
     """Robust solver or the published method."""
     return explained(
         QgsProcessingParameterEnum(
             name, tr("Method"), [tr("robust"), tr("paper (as published)")], defaultValue=METHODS.index("robust")
         ),
-        tr(
-            "Robust: exact camera geometry, all headings, an honest error bar. "
-            "Paper: the published correlation of skylines, for comparison."
+        text
+        or tr(
+            "Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of "
+            "skylines, for comparison; it takes no hint, landmark, drawn skyline or mask."
         ),
     )
 
@@ -119,7 +127,7 @@ def compass(name="COMPASS"):
         ),
         tr(
             "Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; "
-            "a clear skyline overrules it."
+            "a clear skyline overrules it. The paper method knows no compass."
         ),
     )
 
@@ -152,13 +160,13 @@ def eye_height(default=1.7):
     )
 
 
-def max_distance(default):
+def max_distance(default, text=None):
     """Range of the search or of the viewshed."""
     return distance(
         "MAX_DISTANCE",
         tr("Maximum distance (m)"),
         default,
-        tr("Ground metres from the camera. Nothing beyond is looked at."),
+        text or tr("Ground metres from the camera. Nothing beyond is looked at."),
         minimum=1.0,
     )
 
@@ -169,7 +177,10 @@ def refraction(default):
         "REFRACTION",
         tr("Refraction coefficient"),
         default,
-        tr("Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied."),
+        tr(
+            "Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always "
+            "applied, but for the paper method's own search, which has the earth flat."
+        ),
         minimum=0.0,
         maximum=0.99,
     )
@@ -191,18 +202,18 @@ def sector(name="SECTOR"):
     )
 
 
-def points_out(name, label, kind=QgsProcessing.SourceType.TypeVectorPoint, optional=False, create=True):
+def points_out(name, label, kind=QgsProcessing.SourceType.TypeVectorPoint, optional=False, create=True, *, text):
     """Vector output."""
     parameter = QgsProcessingParameterFeatureSink(name, label, kind, optional=optional)
     parameter.setCreateByDefault(create)
-    return parameter
+    return explained(parameter, text)
 
 
-def raster_out(name, label, optional=False, create=True):
+def raster_out(name, label, optional=False, create=True, *, text):
     """Raster output."""
     parameter = QgsProcessingParameterRasterDestination(name, label, optional=optional)
     parameter.setCreateByDefault(create)
-    return parameter
+    return explained(parameter, text)
 
 
 def report_out(name="REPORT", create=True):
@@ -210,7 +221,9 @@ def report_out(name="REPORT", create=True):
     parameter = QgsProcessingParameterFileDestination(
         name, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=create
     )
-    return explained(parameter, tr("One self-contained HTML file with figures, numbers and advice per photograph."))
+    return explained(
+        parameter, tr("One self-contained HTML file with figures, numbers and advice for each photo or point.")
+    )
 
 
 def folder_out(name, label, text, optional=True, create=False):

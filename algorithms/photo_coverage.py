@@ -67,11 +67,34 @@ class PhotoCoverage(SkylineAlgorithm):
             "Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo."
         )
         self.addParameter(shared.explained(area, text))
-        self.addParameter(shared.raster_out("OUTPUT", tr("Number of photos")))
-        self.addParameter(shared.raster_out("GSD", tr("Best ground sampling distance"), optional=True, create=False))
+        self.addParameter(
+            shared.raster_out(
+                "OUTPUT",
+                tr("Number of photos"),
+                text=tr(
+                    "On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside "
+                    "the area."
+                ),
+            )
+        )
+        self.addParameter(
+            shared.raster_out(
+                "GSD",
+                tr("Best ground sampling distance"),
+                optional=True,
+                create=False,
+                text=tr("Metres per pixel of the best photo, across the view."),
+            )
+        )
         self.addParameter(
             shared.points_out(
-                "TABLE", tr("Photos and what they add"), QgsProcessing.SourceType.TypeVector, optional=True
+                "TABLE",
+                tr("Photos and what they add"),
+                QgsProcessing.SourceType.TypeVector,
+                optional=True,
+                text=tr(
+                    "One row per photograph: the ground that it sees, and in which order the needed ones add most."
+                ),
             )
         )
         for name, label in (

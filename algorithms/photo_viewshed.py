@@ -84,7 +84,8 @@ class PhotoViewshed(SkylineAlgorithm):
         )
         self.addParameter(shared.photo_source(optional=True))
         self.addParameter(shared.dem())
-        self.addParameter(shared.max_distance(ViewshedOptions().max_distance_m))
+        text = tr("How far from the camera ground is looked for that the photo shows, in ground metres.")
+        self.addParameter(shared.max_distance(ViewshedOptions().max_distance_m, text))
         self.addParameter(shared.sector())
         recursive = QgsProcessingParameterBoolean("RECURSIVE", tr("Folders inside the folder too"), False)
         doubtful = QgsProcessingParameterBoolean("DOUBTFUL", tr("Viewsheds of doubtful photos too"), False)
@@ -92,7 +93,7 @@ class PhotoViewshed(SkylineAlgorithm):
             "HORIZON_DISTANCE",
             tr("Search range of the horizon (m)"),
             HorizonOptions().max_distance_m,
-            tr("How far the mountains of the skyline may be, in ground metres."),
+            shared.horizon_distance_text(),
             minimum=100.0,
         )
         for parameter in (
@@ -113,9 +114,31 @@ class PhotoViewshed(SkylineAlgorithm):
 
     def _add_outputs(self):
         polygon = QgsProcessing.SourceType.TypeVectorPolygon
-        self.addParameter(shared.points_out("OUTPUT", tr("Oriented photos")))
-        self.addParameter(shared.points_out("POLYGONS", tr("Ground in view"), polygon))
-        self.addParameter(shared.raster_out("VIEWSHED", tr("Viewshed")))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Oriented photos"),
+                text=tr(
+                    "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, "
+                    "how sure they are, status and message."
+                ),
+            )
+        )
+        self.addParameter(
+            shared.points_out(
+                "POLYGONS",
+                tr("Ground in view"),
+                polygon,
+                text=tr("One multipolygon per photograph, with the area seen (m²) and the farthest distance (m)."),
+            )
+        )
+        self.addParameter(
+            shared.raster_out(
+                "VIEWSHED",
+                tr("Viewshed"),
+                text=tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+            )
+        )
         self.addParameter(shared.report_out())
         self.addParameter(
             shared.folder_out(

@@ -62,13 +62,30 @@ class PixelToMap(SkylineAlgorithm):
         )
         self.addParameter(shared.advanced(step))
         add_uncertainty_parameters(self)
-        self.addParameter(shared.points_out("OUTPUT", tr("Points on the map"), optional=True))
         self.addParameter(
-            shared.points_out("LINES", tr("Lines on the map"), QgsProcessing.SourceType.TypeVectorLine, optional=True)
+            shared.points_out(
+                "OUTPUT",
+                tr("Points on the map"),
+                optional=True,
+                text=tr("Where the lines of sight of drawn points meet the ground, with status and distance (m)."),
+            )
         )
         self.addParameter(
             shared.points_out(
-                "POLYGONS", tr("Areas on the map"), QgsProcessing.SourceType.TypeVectorPolygon, optional=True
+                "LINES",
+                tr("Lines on the map"),
+                QgsProcessing.SourceType.TypeVectorLine,
+                optional=True,
+                text=tr("Drawn lines on the ground, cut where the ground behind them jumps."),
+            )
+        )
+        self.addParameter(
+            shared.points_out(
+                "POLYGONS",
+                tr("Areas on the map"),
+                QgsProcessing.SourceType.TypeVectorPolygon,
+                optional=True,
+                text=tr("Drawn areas on the ground."),
             )
         )
         self.addParameter(
@@ -78,6 +95,7 @@ class PixelToMap(SkylineAlgorithm):
                 QgsProcessing.SourceType.TypeVectorPolygon,
                 optional=True,
                 create=False,
+                text=tr("One ellipse per point, which holds the true place with the chosen probability."),
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of map features")))

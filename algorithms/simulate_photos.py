@@ -149,11 +149,25 @@ def scene_parameters():
     )
     number, angle = shared.number, tr("Degrees.")
     return [
-        number("SEED", tr("Seed"), scene.seed, tr("Of everything random."), 0, integer=True),
+        number("SEED", tr("Seed"), scene.seed, tr("The same number gives the same picture."), 0, integer=True),
         shared.explained(clouds, tr("Weather of the scene.")),
-        number("CLOUD_SHARE", tr("Share of clouds"), scene.cloud_share, tr("0 to 1."), 0, 1),
+        number(
+            "CLOUD_SHARE",
+            tr("Share of clouds"),
+            scene.cloud_share,
+            tr("0 to 1: over how much of the width."),
+            0,
+            1,
+        ),
         shared.explained(foreground, tr("What stands near the camera.")),
-        number("FOREGROUND_SHARE", tr("Share of foreground"), scene.foreground_share, tr("0 to 1."), 0, 1),
+        number(
+            "FOREGROUND_SHARE",
+            tr("Share of foreground"),
+            scene.foreground_share,
+            tr("0 to 1: over how much of the width."),
+            0,
+            1,
+        ),
         number("SUN_AZIMUTH", tr("Azimuth of the sun (°)"), scene.sun_azimuth_deg, angle, 0, 360),
         number("SUN_ELEVATION", tr("Elevation of the sun (°)"), scene.sun_elevation_deg, angle, -5, 90),
         shared.distance("VISIBILITY", tr("Visual range (m)"), scene.visibility_m, tr("Haze; small is hazy."), 100),

@@ -81,7 +81,14 @@ class WhichPhotos(SkylineAlgorithm):
             100,
         )
         self.addParameter(shared.advanced(least))
-        self.addParameter(shared.points_out("OUTPUT", tr("Photos of places"), QgsProcessing.SourceType.TypeVector))
+        self.addParameter(
+            shared.points_out(
+                "OUTPUT",
+                tr("Photos of places"),
+                QgsProcessing.SourceType.TypeVector,
+                text=tr("One row per place and photo that shows it, the best photo of each place first."),
+            )
+        )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of rows")))
         self.addOutput(QgsProcessingOutputNumber("UNSEEN", tr("Number of places that no photo shows")))
 

@@ -93,6 +93,48 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>JPEG- und HEIC-Dateien mit GPS-Position.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Auch in allen Ordnern darunter suchen.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Raster of classes, in any coordinate system of its own.</source>
+        <translation>Raster mit Klassen, in einem beliebigen eigenen Koordinatensystem.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points with heading, pitch, roll and field of view.</source>
+        <translation>Punkte mit Blickrichtung, Nickwinkel, Rollwinkel und Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
+        <translation>Auf dem Gitter des DGM: wie viele Fotos jede Zelle sehen; nodata, wo das unbekannt ist.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One multipolygon per photograph, with the area seen (m²) and the farthest distance (m).</source>
+        <translation>Ein Multipolygon je Foto, mit der gesehenen Fläche (m²) und der größten Entfernung (m).</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Ground in view, with the number of cells of each class in fields class_1, class_2, ...</source>
+        <translation>Sichtbares Gelände, mit der Anzahl der Zellen jeder Klasse in den Feldern class_1, class_2, ...</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modell: georeferenzierte Fotos zu Sichtfeldern</translation>
     </message>
@@ -647,6 +689,12 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>Aus „Fotos orientieren“, oder beliebige Punkte mit Blickrichtung, Nick- und Rollwinkel und Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <location filename="../algorithms/views.py"/>
@@ -815,8 +863,18 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>GeoTIFF of red, green, blue and opacity; transparent where no photo sees the cell.</source>
+        <translation>GeoTIFF mit Rot, Grün, Blau und Deckkraft; durchsichtig, wo kein Foto die Zelle sieht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>Ground sampling distance</source>
         <translation>Bodenauflösung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Metres per pixel of the best photo: band 1 across the view, band 2 along it.</source>
+        <translation>Meter je Pixel des besten Fotos: Band 1 quer zum Blick, Band 2 längs.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -905,8 +963,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
+        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
+        <translation>Robust: die im Ganzen wahrscheinlichste Linie, auch durch Dunst, Wolken und Rauschen. Aufsatz: die veröffentlichten Filter, Spalte für Spalte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
         <source>Skylines</source>
         <translation>Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One row per picture column: photo, column and row (px of the upright picture), confidence (0 to 1).</source>
+        <translation>Eine Zeile je Bildspalte: Foto, Spalte und Zeile (px des aufrechten Bildes), Vertrauen (0 bis 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1082,6 +1150,11 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
         <source>Points</source>
         <translation>Punkte</translation>
@@ -1108,6 +1181,11 @@
         <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizont</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
+        <translation>Ein Punkt je Azimut, wo der Horizont steht, mit Höhenwinkel (°) und Entfernung (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1269,14 +1347,18 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Auch in allen Ordnern darunter suchen.</translation>
+        <source>One point per photograph at the recorded position, with the recorded altitude as Z.</source>
+        <translation>Ein Punkt je Foto an der aufgezeichneten Position, mit der aufgezeichneten Höhe als Z.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <source>Rejected photos</source>
         <translation>Abgewiesene Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Table of the files that give no point, each with the reason.</source>
+        <translation>Tabelle der Dateien, die keinen Punkt ergeben, jede mit dem Grund.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1317,6 +1399,11 @@
         <location filename="../algorithms/label_peaks.py"/>
         <source>Summits in photos</source>
         <translation>Gipfel in Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
+        <translation>Ein Punkt je Gipfel und Foto, in dessen Bild er liegt, mit Name, Entfernung (m) und Ort im Bild (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1555,8 +1642,18 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
+        <translation>Punkte in Pixeln des aufrechten Bildes, Zeilen als negatives y; state sagt, ob das Foto sie zeigt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>Lines and outlines in pictures</source>
         <translation>Linien und Umrisse in Bildern</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
+        <translation>Linien und Umrisse in Pixeln des aufrechten Bildes, Zeilen als negatives y, getrennt, wo sie außer Sicht geraten.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1632,6 +1729,11 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Offsets per photo</source>
         <translation>Abweichungen je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per photograph: number of pairs and mean offsets in azimuth, elevation and in total (°).</source>
+        <translation>Eine Zeile je Foto: Anzahl der Paare und mittlere Abweichungen in Azimut, Höhe und gesamt (°).</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1823,6 +1925,12 @@
         <location filename="../algorithms/orient_photos.py"/>
         <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
         <translation>Blickrichtungen zählen im Uhrzeigersinn von geographisch Nord. Die Geometrie eines Punktes ist der Standort der Kamera. Für Fotos, die scheitern, geben Sie eine ungefähre Blickrichtung, eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an (Erweitert).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -2059,6 +2167,11 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
+        <source>The drawn ridges as lines on the map, with distance (m) and elevation angle (°).</source>
+        <translation>Die gezeichneten Grate als Linien auf der Karte, mit Entfernung (m) und Höhenwinkel (°).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
         <source>Number of panoramas</source>
         <translation>Anzahl der Panoramen</translation>
     </message>
@@ -2129,6 +2242,11 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>Wie weit entfernt die Berge der Horizontlinie sein dürfen, in Metern am Boden; das Verfahren Aufsatz blickt nicht weiter als 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
         <source>Method</source>
         <translation>Verfahren</translation>
     </message>
@@ -2144,8 +2262,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
-        <translation>Robust: genaue Kamerageometrie, alle Blickrichtungen, ein ehrlicher Fehlerbereich. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich.</translation>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robust: genaue Geometrie der Kamera, alle Blickrichtungen, ein ehrlicher Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie nimmt keinen Hinweis, keine Landmarke, gezeichnete Linie oder Maske an.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2164,8 +2282,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
-        <translation>Nicht verwenden: Der Kompass wird nur berichtet. Hinweis: eine weiche Vorannahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie überstimmt sie.</translation>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorieren: Der Kompass wird nur berichtet. Hinweis: eine weiche Annahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz kennt keinen Kompass.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2189,8 +2307,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
-        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; üblich ist 0,13. Die Erdkrümmung ist immer berücksichtigt.</translation>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der Suche des Verfahrens Aufsatz, für das die Erde flach ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2225,8 +2343,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
-        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat je Foto.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat für jedes Foto oder jeden Punkt.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_attributes.py"/>
@@ -2265,8 +2383,23 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
+        <translation>Auf dem Gitter des DGM: wie viele Fotos jede Zelle sehen; 0 ist ein blinder Fleck, nodata liegt außerhalb des Gebiets.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Metres per pixel of the best photo, across the view.</source>
+        <translation>Meter je Pixel des besten Fotos, quer zum Blick.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Photos and what they add</source>
         <translation>Fotos und ihr Beitrag</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
+        <translation>Eine Zeile je Foto: das Gelände, das es sieht, und in welcher Reihenfolge die nötigen am meisten hinzufügen.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2330,8 +2463,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>JPEG and HEIC files with a GPS position.</source>
-        <translation>JPEG- und HEIC-Dateien mit GPS-Position.</translation>
+        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
+        <translation>Wie weit von der Kamera nach Gelände gesucht wird, das das Foto zeigt, in Metern am Boden.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2347,11 +2480,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Search range of the horizon (m)</source>
         <translation>Suchweite des Horizonts (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres.</source>
-        <translation>Wie weit die Berge der Horizontlinie entfernt sein können, in Metern am Boden.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2450,8 +2578,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Where the lines of sight of drawn points meet the ground, with status and distance (m).</source>
+        <translation>Wo die Sichtlinien gezeichneter Punkte das Gelände treffen, mit Status und Entfernung (m).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Lines on the map</source>
         <translation>Linien auf der Karte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn lines on the ground, cut where the ground behind them jumps.</source>
+        <translation>Gezeichnete Linien am Boden, getrennt, wo das Gelände hinter ihnen springt.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2460,8 +2598,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn areas on the ground.</source>
+        <translation>Gezeichnete Flächen am Boden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Error ellipses</source>
         <translation>Fehlerellipsen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
+        <translation>Eine Ellipse je Punkt, die den wahren Ort mit der gewählten Wahrscheinlichkeit enthält.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2687,8 +2835,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Of everything random.</source>
-        <translation>Für alles Zufällige.</translation>
+        <source>The same number gives the same picture.</source>
+        <translation>Dieselbe Zahl ergibt dasselbe Bild.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2702,8 +2850,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1.</source>
-        <translation>0 bis 1.</translation>
+        <source>0 to 1: over how much of the width.</source>
+        <translation>0 bis 1: über wie viel der Breite.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2764,6 +2912,47 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>In 8-bit steps at mid-grey.</source>
         <translation>In 8-Bit-Stufen bei mittlerem Grau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
@@ -2865,11 +3054,6 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>{name}: taken from {path}</source>
         <translation>{name}: übernommen aus {path}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
-        <translation>Aus „Fotos orientieren“, oder beliebige Punkte mit Blickrichtung, Nick- und Rollwinkel und Bildwinkel.</translation>
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
@@ -3161,6 +3345,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Photos of places</source>
         <translation>Fotos von Orten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>One row per place and photo that shows it, the best photo of each place first.</source>
+        <translation>Eine Zeile je Ort und Foto, das ihn zeigt, das beste Foto jedes Ortes zuerst.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3830,11 +4019,6 @@
         <location filename="../core/report_horizon.py"/>
         <source>Farthest</source>
         <translation>Am fernsten</translation>
-    </message>
-    <message>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Himmelssichtfaktor</translation>
     </message>
     <message>
         <location filename="../core/report_horizon.py"/>

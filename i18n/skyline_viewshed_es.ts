@@ -93,6 +93,48 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>Archivos JPEG y HEIC con posición GPS.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Buscar también en todas las carpetas de su interior.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Raster of classes, in any coordinate system of its own.</source>
+        <translation>Ráster de clases, en cualquier sistema de coordenadas propio.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points with heading, pitch, roll and field of view.</source>
+        <translation>Puntos con rumbo, cabeceo, alabeo y ángulo de visión.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
+        <translation>En la cuadrícula del MDE: cuántas fotografías ven cada celda; nodata donde no se sabe.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One multipolygon per photograph, with the area seen (m²) and the farthest distance (m).</source>
+        <translation>Un multipolígono por fotografía, con la superficie vista (m²) y la distancia máxima (m).</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Ground in view, with the number of cells of each class in fields class_1, class_2, ...</source>
+        <translation>Terreno visible, con el número de celdas de cada clase en los campos class_1, class_2, ...</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modelo: de fotos georreferenciadas a cuencas visuales</translation>
     </message>
@@ -647,6 +689,12 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>De «Orientar fotos», o cualesquiera puntos con rumbo, cabeceo, alabeo y ángulo de visión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <location filename="../algorithms/views.py"/>
@@ -815,8 +863,18 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>GeoTIFF of red, green, blue and opacity; transparent where no photo sees the cell.</source>
+        <translation>GeoTIFF de rojo, verde, azul y opacidad; transparente donde ninguna foto ve la celda.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>Ground sampling distance</source>
         <translation>Resolución sobre el terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Metres per pixel of the best photo: band 1 across the view, band 2 along it.</source>
+        <translation>Metros por píxel de la mejor foto: banda 1 a través de la vista, banda 2 a lo largo.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -905,8 +963,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
+        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
+        <translation>Robusto: la línea más probable en conjunto, también entre bruma, nubes y ruido. Artículo: los filtros publicados, columna por columna.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
         <source>Skylines</source>
         <translation>Líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One row per picture column: photo, column and row (px of the upright picture), confidence (0 to 1).</source>
+        <translation>Una fila por columna de la imagen: foto, columna y fila (px de la imagen derecha), confianza (0 a 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1082,6 +1150,11 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
         <source>Points</source>
         <translation>Puntos</translation>
@@ -1108,6 +1181,11 @@
         <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
+        <translation>Un punto por acimut, donde está el horizonte, con ángulo de elevación (°) y distancia (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1269,14 +1347,18 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Buscar también en todas las carpetas de su interior.</translation>
+        <source>One point per photograph at the recorded position, with the recorded altitude as Z.</source>
+        <translation>Un punto por fotografía en la posición registrada, con la altitud registrada como Z.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <source>Rejected photos</source>
         <translation>Fotos rechazadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Table of the files that give no point, each with the reason.</source>
+        <translation>Tabla de los archivos que no dan punto, cada uno con el motivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1317,6 +1399,11 @@
         <location filename="../algorithms/label_peaks.py"/>
         <source>Summits in photos</source>
         <translation>Cimas en las fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
+        <translation>Un punto por cumbre y foto en cuyo encuadre está, con nombre, distancia (m) y lugar en la imagen (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1555,8 +1642,18 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
+        <translation>Puntos en píxeles de la imagen derecha, filas como y negativa; state dice si la foto los muestra.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>Lines and outlines in pictures</source>
         <translation>Líneas y contornos en las imágenes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
+        <translation>Líneas y contornos en píxeles de la imagen derecha, filas como y negativa, cortados donde dejan de verse.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1632,6 +1729,11 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Offsets per photo</source>
         <translation>Desviaciones por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per photograph: number of pairs and mean offsets in azimuth, elevation and in total (°).</source>
+        <translation>Una fila por fotografía: número de pares y desviaciones medias en acimut, elevación y en total (°).</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1823,6 +1925,12 @@
         <location filename="../algorithms/orient_photos.py"/>
         <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
         <translation>Los rumbos se cuentan en sentido horario desde el norte geográfico. La geometría de un punto es la posición de la cámara. Para las fotos que fallan, dé un rumbo aproximado, un punto de referencia, una línea del horizonte dibujada o una máscara del cielo (Avanzado).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -2059,6 +2167,11 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
+        <source>The drawn ridges as lines on the map, with distance (m) and elevation angle (°).</source>
+        <translation>Las crestas dibujadas como líneas en el mapa, con distancia (m) y ángulo de elevación (°).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
         <source>Number of panoramas</source>
         <translation>Número de panoramas</translation>
     </message>
@@ -2129,6 +2242,11 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno; el método artículo no mira más allá de 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
         <source>Method</source>
         <translation>Método</translation>
     </message>
@@ -2144,8 +2262,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
-        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación de líneas del horizonte tal como se publicó, para comparar.</translation>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no admite indicación, punto de referencia, línea dibujada ni máscara.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2164,8 +2282,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
-        <translation>Ignorar: la brújula solo se informa. Indicio: una creencia suave, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara prevalece sobre ella.</translation>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorar: la brújula solo se informa. Indicación: una creencia flexible, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara se impone. El método artículo no conoce la brújula.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2189,8 +2307,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
-        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo habitual. La curvatura se aplica siempre.</translation>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda del método artículo, para el que la tierra es plana.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2225,8 +2343,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
-        <translation>Un archivo HTML autónomo con figuras, números y consejos por fotografía.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Un archivo HTML autónomo con figuras, números y consejos para cada foto o punto.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_attributes.py"/>
@@ -2265,8 +2383,23 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
+        <translation>En la cuadrícula del MDE: cuántas fotografías ven cada celda; 0 es un punto ciego, nodata queda fuera del área.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Metres per pixel of the best photo, across the view.</source>
+        <translation>Metros por píxel de la mejor foto, a través de la vista.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Photos and what they add</source>
         <translation>Fotos y lo que añaden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
+        <translation>Una fila por fotografía: el terreno que ve y en qué orden las necesarias añaden más.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2330,8 +2463,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>JPEG and HEIC files with a GPS position.</source>
-        <translation>Archivos JPEG y HEIC con posición GPS.</translation>
+        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
+        <translation>Hasta qué distancia de la cámara se busca terreno que muestre la foto, en metros sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2347,11 +2480,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Search range of the horizon (m)</source>
         <translation>Alcance de búsqueda del horizonte (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres.</source>
-        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2450,8 +2578,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Where the lines of sight of drawn points meet the ground, with status and distance (m).</source>
+        <translation>Donde las líneas de visión de los puntos dibujados encuentran el terreno, con estado y distancia (m).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Lines on the map</source>
         <translation>Líneas en el mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn lines on the ground, cut where the ground behind them jumps.</source>
+        <translation>Líneas dibujadas, sobre el terreno, cortadas donde el terreno tras ellas salta.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2460,8 +2598,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn areas on the ground.</source>
+        <translation>Áreas dibujadas, sobre el terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Error ellipses</source>
         <translation>Elipses de error</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
+        <translation>Una elipse por punto, que contiene el lugar verdadero con la probabilidad elegida.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2687,8 +2835,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Of everything random.</source>
-        <translation>De todo lo aleatorio.</translation>
+        <source>The same number gives the same picture.</source>
+        <translation>El mismo número da la misma imagen.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2702,8 +2850,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1.</source>
-        <translation>0 a 1.</translation>
+        <source>0 to 1: over how much of the width.</source>
+        <translation>0 a 1: en qué parte de la anchura.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2764,6 +2912,47 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>In 8-bit steps at mid-grey.</source>
         <translation>En pasos de 8 bits en gris medio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Factor de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
@@ -2865,11 +3054,6 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>{name}: taken from {path}</source>
         <translation>{name}: tomado de {path}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
-        <translation>De «Orientar fotos», o cualesquiera puntos con rumbo, cabeceo, alabeo y ángulo de visión.</translation>
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
@@ -3161,6 +3345,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Photos of places</source>
         <translation>Fotos de lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>One row per place and photo that shows it, the best photo of each place first.</source>
+        <translation>Una fila por lugar y foto que lo muestra, la mejor foto de cada lugar primero.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3830,11 +4019,6 @@
         <location filename="../core/report_horizon.py"/>
         <source>Farthest</source>
         <translation>Más lejano</translation>
-    </message>
-    <message>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Factor de visión del cielo</translation>
     </message>
     <message>
         <location filename="../core/report_horizon.py"/>

@@ -93,6 +93,48 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files with a GPS position.</source>
+        <translation>Fichiers JPEG et HEIC avec une position GPS.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Look into all folders below as well.</source>
+        <translation>Chercher aussi dans tous les dossiers qu'il contient.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Raster of classes, in any coordinate system of its own.</source>
+        <translation>Raster de classes, dans n'importe quel système de coordonnées.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points with heading, pitch, roll and field of view.</source>
+        <translation>Points avec azimut, tangage, roulis et angle de champ.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
+        <translation>Sur la grille du MNT : combien de photos voient chaque cellule ; nodata là où on ne le sait pas.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One multipolygon per photograph, with the area seen (m²) and the farthest distance (m).</source>
+        <translation>Un multipolygone par photo, avec la surface vue (m²) et la distance maximale (m).</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Ground in view, with the number of cells of each class in fields class_1, class_2, ...</source>
+        <translation>Terrain visible, avec le nombre de cellules de chaque classe dans les champs class_1, class_2, ...</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modèle : des photos géolocalisées aux bassins visuels</translation>
     </message>
@@ -647,6 +689,12 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/views.py"/>
+        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
+        <translation>Issus de « Orienter des photos », ou tout point avec azimut de visée, tangage, roulis et angle de champ.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <location filename="../algorithms/views.py"/>
@@ -815,8 +863,18 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>GeoTIFF of red, green, blue and opacity; transparent where no photo sees the cell.</source>
+        <translation>GeoTIFF de rouge, vert, bleu et opacité ; transparent là où aucune photo ne voit la cellule.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>Ground sampling distance</source>
         <translation>Résolution au sol</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>Metres per pixel of the best photo: band 1 across the view, band 2 along it.</source>
+        <translation>Mètres par pixel de la meilleure photo : bande 1 en travers de la vue, bande 2 en long.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -905,8 +963,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
+        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
+        <translation>Robuste : la ligne la plus probable dans son ensemble, même à travers brume, nuages et bruit. Article : les filtres publiés, colonne par colonne.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
         <source>Skylines</source>
         <translation>Lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <source>One row per picture column: photo, column and row (px of the upright picture), confidence (0 to 1).</source>
+        <translation>Une ligne par colonne d'image : photo, colonne et ligne (px de l'image redressée), confiance (0 à 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1082,6 +1150,11 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
+        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
         <source>Points</source>
         <translation>Points</translation>
@@ -1108,6 +1181,11 @@
         <location filename="../core/figures_profile.py"/>
         <source>Horizon</source>
         <translation>Horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
+        <translation>Un point par azimut, là où se trouve l'horizon, avec hauteur angulaire (°) et distance (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1269,14 +1347,18 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Chercher aussi dans tous les dossiers qu'il contient.</translation>
+        <source>One point per photograph at the recorded position, with the recorded altitude as Z.</source>
+        <translation>Un point par photo à la position enregistrée, avec l'altitude enregistrée en Z.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <source>Rejected photos</source>
         <translation>Photos rejetées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
+        <source>Table of the files that give no point, each with the reason.</source>
+        <translation>Table des fichiers qui ne donnent pas de point, chacun avec la raison.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1317,6 +1399,11 @@
         <location filename="../algorithms/label_peaks.py"/>
         <source>Summits in photos</source>
         <translation>Sommets dans les photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
+        <translation>Un point par sommet et par photo dont il est dans le cadre, avec nom, distance (m) et place dans l'image (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1555,8 +1642,18 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
+        <translation>Points en pixels de l'image redressée, lignes en y négatif ; state dit si la photo les montre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>Lines and outlines in pictures</source>
         <translation>Lignes et contours dans les images</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
+        <translation>Lignes et contours en pixels de l'image redressée, lignes en y négatif, coupés là où ils sortent de la vue.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1632,6 +1729,11 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Offsets per photo</source>
         <translation>Écarts par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <source>One row per photograph: number of pairs and mean offsets in azimuth, elevation and in total (°).</source>
+        <translation>Une ligne par photo : nombre de paires et écarts moyens en azimut, en hauteur et au total (°).</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1823,6 +1925,12 @@
         <location filename="../algorithms/orient_photos.py"/>
         <source>Headings count clockwise from true north. A point's geometry is the camera's position. For photos that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced).</source>
         <translation>Les azimuts se comptent dans le sens horaire depuis le nord géographique. La géométrie d'un point est la position de l'appareil. Pour les photos qui échouent, donnez un azimut approché, un point de repère, une ligne d'horizon dessinée ou un masque de ciel (Avancé).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Un point par photo : tous les champs de la source, puis azimut, tangage, roulis, angle de champ, leur fiabilité, statut et message.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -2059,6 +2167,11 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
+        <source>The drawn ridges as lines on the map, with distance (m) and elevation angle (°).</source>
+        <translation>Les crêtes dessinées comme lignes sur la carte, avec distance (m) et hauteur angulaire (°).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/panorama.py"/>
         <source>Number of panoramas</source>
         <translation>Nombre de panoramas</translation>
     </message>
@@ -2129,6 +2242,11 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>À quelle distance peuvent être les montagnes de la ligne d'horizon, en mètres au sol ; la méthode article ne regarde pas au-delà de 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/parameters.py"/>
         <source>Method</source>
         <translation>Méthode</translation>
     </message>
@@ -2144,8 +2262,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison.</source>
-        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation de lignes d'horizon telle que publiée, pour comparaison.</translation>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'accepte ni indication, ni repère, ni ligne dessinée, ni masque.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2164,8 +2282,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it.</source>
-        <translation>Ignorer : la boussole est seulement rapportée. Indice : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte sur elle.</translation>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorer : la boussole est seulement rapportée. Indication : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte. La méthode article ignore la boussole.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2189,8 +2307,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. Curvature is always applied.</source>
-        <translation>Part de la courbure de la Terre que l'air compense ; 0,13 est usuel. La courbure est toujours appliquée.</translation>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Part de la courbure terrestre que l'air compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche de la méthode article, pour qui la terre est plate.</translation>
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
@@ -2225,8 +2343,8 @@
     </message>
     <message>
         <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice per photograph.</source>
-        <translation>Un fichier HTML autonome avec figures, chiffres et conseils par photo.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Un fichier HTML autonome avec figures, chiffres et conseils pour chaque photo ou point.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_attributes.py"/>
@@ -2265,8 +2383,23 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
+        <translation>Sur la grille du MNT : combien de photos voient chaque cellule ; 0 est un angle mort, nodata est hors de la zone.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>Metres per pixel of the best photo, across the view.</source>
+        <translation>Mètres par pixel de la meilleure photo, en travers de la vue.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Photos and what they add</source>
         <translation>Photos et ce qu'elles ajoutent</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
+        <translation>Une ligne par photo : le terrain qu'elle voit, et dans quel ordre les photos nécessaires ajoutent le plus.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2330,8 +2463,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>JPEG and HEIC files with a GPS position.</source>
-        <translation>Fichiers JPEG et HEIC avec une position GPS.</translation>
+        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
+        <translation>Jusqu'à quelle distance de l'appareil on cherche du terrain que montre la photo, en mètres au sol.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2347,11 +2480,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Search range of the horizon (m)</source>
         <translation>Portée de recherche de l'horizon (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres.</source>
-        <translation>Jusqu'où peuvent se trouver les montagnes de la ligne d'horizon, en mètres au sol.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -2450,8 +2578,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Where the lines of sight of drawn points meet the ground, with status and distance (m).</source>
+        <translation>Là où les lignes de visée des points dessinés rencontrent le sol, avec statut et distance (m).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Lines on the map</source>
         <translation>Lignes sur la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn lines on the ground, cut where the ground behind them jumps.</source>
+        <translation>Lignes dessinées, au sol, coupées là où le terrain derrière elles saute.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2460,8 +2598,18 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
+        <source>Drawn areas on the ground.</source>
+        <translation>Surfaces dessinées, au sol.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
         <source>Error ellipses</source>
         <translation>Ellipses d'erreur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/pixel_to_map.py"/>
+        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
+        <translation>Une ellipse par point, qui contient le lieu véritable avec la probabilité choisie.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -2687,8 +2835,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Of everything random.</source>
-        <translation>De tout ce qui est aléatoire.</translation>
+        <source>The same number gives the same picture.</source>
+        <translation>Le même nombre donne la même image.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2702,8 +2850,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1.</source>
-        <translation>0 à 1.</translation>
+        <source>0 to 1: over how much of the width.</source>
+        <translation>0 à 1 : sur quelle part de la largeur.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2764,6 +2912,47 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>In 8-bit steps at mid-grey.</source>
         <translation>En pas de 8 bits à gris moyen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <location filename="../core/report_horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Facteur de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
@@ -2865,11 +3054,6 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>{name}: taken from {path}</source>
         <translation>{name} : repris de {path}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
-        <translation>Issus de « Orienter des photos », ou tout point avec azimut de visée, tangage, roulis et angle de champ.</translation>
     </message>
     <message>
         <location filename="../algorithms/views.py"/>
@@ -3161,6 +3345,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Photos of places</source>
         <translation>Photos des lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>One row per place and photo that shows it, the best photo of each place first.</source>
+        <translation>Une ligne par lieu et par photo qui le montre, la meilleure photo de chaque lieu en premier.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3830,11 +4019,6 @@
         <location filename="../core/report_horizon.py"/>
         <source>Farthest</source>
         <translation>Le plus loin</translation>
-    </message>
-    <message>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Facteur de vue du ciel</translation>
     </message>
     <message>
         <location filename="../core/report_horizon.py"/>

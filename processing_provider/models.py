@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsProcessingModelAlgorithm
 from qgis.PyQt.QtGui import QIcon
 
+from ..algorithms import parameters as shared
 from ..algorithms.i18n import mark, marked, tr
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -35,6 +36,22 @@ TEXTS = (
 """What the files say in English. QGIS has no translations of a model's own, so they are put in after reading it."""
 
 
+def tooltips():
+    """Tooltips of the models' inputs and outputs, by name, in the user's language."""
+    return {
+        "FOLDER": tr("JPEG and HEIC files with a GPS position."),
+        "RECURSIVE": tr("Look into all folders below as well."),
+        "DEM": shared.dem().help(),
+        "MAX_DISTANCE": shared.max_distance(1.0).help(),
+        "LANDCOVER": tr("Raster of classes, in any coordinate system of its own."),
+        "PHOTOS": tr("Points with heading, pitch, roll and field of view."),
+        "VIEWSHED": tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+        "POLYGONS": tr("One multipolygon per photograph, with the area seen (m²) and the farthest distance (m)."),
+        "LAND_COVER": tr("Ground in view, with the number of cells of each class in fields class_1, class_2, ..."),
+        "REPORT": shared.report_out().help(),
+    }
+
+
 class ShippedModel(QgsProcessingModelAlgorithm):
     """A model from `models/`; its id is the file's name.
 
@@ -52,8 +69,10 @@ class ShippedModel(QgsProcessingModelAlgorithm):
 
     def _translate(self):
         """Give labels and help in the user's language; the steps' names in the log stay as in the file."""
+        texts = tooltips()
         for definition in self.parameterDefinitions():
             definition.setDescription(marked(definition.description()))
+            definition.setHelp(texts.get(definition.name().split(":")[-1], ""))
         for output in self.outputDefinitions():
             output.setDescription(marked(output.description()))
         content = self.helpContent()
