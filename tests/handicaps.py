@@ -104,6 +104,7 @@ def one_case(algorithm, parameters, output):
     path, before = path_of(algorithm, output), set(FOLDER.rglob("*"))
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     if MODE == "limit":
+        sys.dont_write_bytecode = True  # Python would keep half a module, and fall over it next time
         resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT_BYTES, limits[1]))
     said = run(algorithm, {**parameters, output.name(): str(path)})
     resource.setrlimit(resource.RLIMIT_FSIZE, limits)

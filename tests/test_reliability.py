@@ -215,7 +215,8 @@ def nearly_full(shell_environment):
     def run(command):
         return subprocess.run(
             ["qgis_process", *command],
-            env=shell_environment,
+            # Python would keep half a module that it has compiled, and fall over it next time.
+            env={**shell_environment, "PYTHONDONTWRITEBYTECODE": "1"},
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 from contextlib import contextmanager, suppress
@@ -22,6 +23,7 @@ GDAL_TYPES = {
     "float32": gdal.GDT_Float32,
 }
 BLOCK_PX = 256
+SYSTEM_CAUSES = tuple(map(os.strerror, (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EIO)))
 DEM_NODATA = -9999.0
 
 
@@ -104,7 +106,9 @@ def _create(part, window, dtype, bands, alpha=False):
 
 
 def _output_error(path, messages, error):
-    reason = (messages[0] if messages else "") or getattr(error, "strerror", None) or str(error)
+    words = [*messages, getattr(error, "strerror", None) or str(error)]
+    # Of all that GDAL says, what the system has said counts; libtiff's own words follow from it.
+    reason = next((cause for cause in SYSTEM_CAUSES for text in words if cause in text), words[0].split("\n")[0])
     folder = os.path.dirname(path) or "."
     if not os.path.isdir(folder):
         reason = f"the folder {folder} does not exist"

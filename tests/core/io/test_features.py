@@ -194,8 +194,8 @@ def test_only_a_picture_hung_below_zero_is_turned_over():
         ({"shapes": [{"points": [[10**400, 1]], "shape_type": "point"}]}, "an entry is incomplete"),
         (
             '{"type":"Feature","properties":{},"geometry":'
-            + '{"type":"GeometryCollection","geometries":[' * 700
-            + "]}" * 700
+            + '{"type":"GeometryCollection","geometries":[' * 3000
+            + "]}" * 3000
             + "}",
             "is incomplete|no valid JSON",
         ),
