@@ -988,6 +988,6 @@
   <dataDefinedFieldProperties/>
   <widgets/>
   <previewExpression>file_name("photo")</previewExpression>
-  <mapTip>&lt;img src="file:///[% replace("photo", '\\', '/') %]" width="320"/>&lt;br/>[% file_name("photo") %] &lt;b>[% coalesce(round("heading", 1) || '°', 'no heading') %]&lt;/b> [% "status" %]&lt;br/>[% "message" %]</mapTip>
+  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace("photo", '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] &lt;b>[% coalesce(round("heading", 1) || '°', 'no heading') %]&lt;/b> [% "status" %]&lt;br/>[% replace(replace(replace("message", '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]</mapTip>
   <layerGeometryType>0</layerGeometryType>
 </qgis>

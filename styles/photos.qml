@@ -399,6 +399,6 @@
   <dataDefinedFieldProperties/>
   <widgets/>
   <previewExpression>file_name("photo")</previewExpression>
-  <mapTip>&lt;img src="file:///[% replace("photo", '\\', '/') %]" width="320"/>&lt;br/>[% file_name("photo") %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
+  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace("photo", '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
   <layerGeometryType>0</layerGeometryType>
 </qgis>

@@ -184,6 +184,6 @@
   <dataDefinedFieldProperties/>
   <widgets/>
   <previewExpression>file_name("photo")</previewExpression>
-  <mapTip>[% file_name("photo") %]&lt;br/>[% round("area_m2" / 1e6, 2) %] km², up to [% round("farthest_m" / 1000, 1) %] km</mapTip>
+  <mapTip>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]&lt;br/>[% round("area_m2" / 1e6, 2) %] km², up to [% round("farthest_m" / 1000, 1) %] km</mapTip>
   <layerGeometryType>2</layerGeometryType>
 </qgis>

@@ -139,7 +139,8 @@ def oriented(layer):
     layer.setRenderer(QgsCategorizedSymbolRenderer("status", categories))
     layer.setMapTipTemplate(
         map_tip(
-            '<b>[% coalesce(round("heading", 1) || \'°\', \'no heading\') %]</b> [% "status" %]<br/>[% "message" %]'
+            "<b>[% coalesce(round(\"heading\", 1) || '°', 'no heading') %]</b> [% \"status\" %]<br/>"
+            f"[% {plain(MESSAGE)} %]"
         )
     )
     return with_form(layer, "heading")
@@ -154,9 +155,27 @@ def photos(layer):
 
 def map_tip(words):
     """Picture, name and some words."""
-    return (
-        '<img src="file:///[% replace("photo", \'\\\\\', \'/\') %]" width="320"/><br/>[% file_name("photo") %] ' + words
-    )
+    photo = f'<img src="file:///[% {address(PHOTO)} %]" width="320"/>'
+    return f"{photo}<br/>[% {plain(NAME)} %] {words}"
+
+
+PHOTO, MESSAGE, NAME = '"photo"', '"message"', 'file_name("photo")'
+
+
+def plain(expression):
+    """Expression for a text in HTML: a file may be called like a tag."""
+    return replaced(expression, (("&", "&amp;"), ("<", "&lt;"), ('"', "&quot;")))
+
+
+def address(expression):
+    """Expression for a path in a file's address."""
+    return plain(replaced(expression, (("\\\\", "/"), ("%", "%25"), ("#", "%23"), ("?", "%3F"))))
+
+
+def replaced(expression, pairs):
+    for old, new in pairs:
+        expression = f"replace({expression}, '{old}', '{new}')"
+    return expression
 
 
 def with_form(layer, heading):
@@ -184,7 +203,7 @@ def polygons(layer):
     )
     layer.setRenderer(QgsSingleSymbolRenderer(fill_symbol(fill)))
     layer.setMapTipTemplate(
-        '[% file_name("photo") %]<br/>[% round("area_m2" / 1e6, 2) %] km², up to [% round("farthest_m" / 1000, 1) %] km'
+        f'[% {plain(NAME)} %]<br/>[% round("area_m2" / 1e6, 2) %] km², up to [% round("farthest_m" / 1000, 1) %] km'
     )
     layer.setDisplayExpression('file_name("photo")')
     return layer

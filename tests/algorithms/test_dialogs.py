@@ -1,10 +1,13 @@
 """The dialogs as a user meets them: opened through Processing, filled in and run, offscreen."""
 
+import html
+import re
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProcessingParameterDefinition
+from qgis.PyQt.QtCore import QUrl
 from skyline_viewshed.processing_provider.provider import ALGORITHMS
 
 PACKAGE = "skyline_viewshed"
@@ -117,3 +120,27 @@ def test_outputs_are_dressed_when_they_are_loaded(run, scene):
     assert "<img" in layer.mapTipTemplate()
     assert "wedge_buffer" in layer.renderer().symbol().symbolLayer(0).properties()["geometryModifier"]
     assert str(scene.folder) in layer.metadata().abstract() and "QGIS" in layer.metadata().history()[0]
+
+
+@pytest.mark.parametrize("style", ["oriented", "photos", "polygons"])
+def test_a_hostile_file_name_stays_text_in_the_map_tip(qgis_app, style):
+    from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsVectorLayer
+    from skyline_viewshed.algorithms.styling import STYLES
+
+    fields = "&".join(f"field={name}:string" for name in ("photo", "status", "message"))
+    reals = "&".join(f"field={name}:double" for name in ("heading", "direction", "area_m2", "farthest_m"))
+    kind = "Polygon" if style == "polygons" else "Point"
+    layer = QgsVectorLayer(f"{kind}?crs=EPSG:4326&{fields}&{reals}", "layer", "memory")
+    layer.loadNamedStyle(str(STYLES / f"{style}.qml"))
+    feature = QgsFeature(layer.fields())
+    name = 'it\'s "50 %" & #1? <img src=x onerror=alert(1)>.jpg'
+    feature.setAttributes([f"/photos/{name}", "failed", "<script>no</script>", 12.0, 12.0, 1e6, 1e3])
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
+    context.setFeature(feature)
+    shown = QgsExpression.replaceExpressionText(layer.mapTipTemplate(), context)
+    assert "[%" not in shown and "<script" not in shown
+    assert shown.count("<img") == (0 if style == "polygons" else 1)
+    assert html.unescape(shown).count(name) == 1
+    if style != "polygons":
+        source = html.unescape(re.search(r'src="([^"]*)"', shown).group(1))
+        assert QUrl(source).toLocalFile().lstrip("/") == f"photos/{name}"
