@@ -59,14 +59,14 @@ class DirectedViewshed(SkylineAlgorithm):
                 "true and distances ground metres, whatever the coordinate system."
             ),
             tr(
-                "Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, "
-                "place in the picture), probabilities that carry the errors of pose, position and DEM, and the "
+                "Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be "
+                "seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the "
                 "photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are "
                 "computed together."
             ),
             tr(
-                "A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and "
-                "probabilities is taken from there if DEM, pose and settings are still the same."
+                "A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers "
+                "and probabilities is taken from there if DEM, pose and settings are still the same."
             ),
         ]
 

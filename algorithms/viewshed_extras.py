@@ -105,7 +105,7 @@ def extra_options(algorithm, parameters, context):
     return ExtraOptions(*folders, *errors[:3], errors[3] / 100)
 
 
-def extra_specs():
+def extra_fields():
     """Fields that the polygons get."""
     return [
         FieldSpec("terr_share", "real", tr("Share of the picture that the DEM explains as ground")),
@@ -135,7 +135,7 @@ class Extras:
         return {name: folder for name, folder in found.items() if folder}
 
     def of(self, sight, seen, horizon=None, progress=SILENT):
-        """Write what is wanted for one viewshed; gives values of `extra_specs` by name, those not known left out.
+        """Write what is wanted for one viewshed; gives values of `extra_fields` by name, those not known left out.
 
         Parameters
         ----------

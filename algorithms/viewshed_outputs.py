@@ -10,7 +10,7 @@ from .fields import FieldSpec, qgis_fields
 from .i18n import tr
 from .outputs import make_folder_of, write_features
 from .styling import style_on_completion
-from .viewshed_extras import extra_specs
+from .viewshed_extras import extra_fields
 
 COUNT_NODATA = 65535
 STRIP_ROWS = 256
@@ -33,7 +33,7 @@ class ViewshedOutputs:
         self.count, self.rows, self._sights = SeenCount(dem.shape), [], []
 
     def add(self, sight, viewshed, extras=None):
-        """Take one photo's viewshed, and values of `extra_specs`; gives its facts in words, for the report."""
+        """Take one photo's viewshed, and values of `extra_fields`; gives its facts in words, for the report."""
         from ..core.io.polygons import viewshed_polygons
 
         ground = viewshed_polygons(viewshed, self.dem, self.smallest_m2)
@@ -104,7 +104,7 @@ def polygon_row(sight, ground, extras):
         if geometry.isNull():
             raise QgsProcessingException(tr("The polygon of {name} could not be built.").format(name=sight.name))
     values = [sight.photo, sight.source_id, sight.heading_deg, sight.hfov_deg, ground.area_m2, ground.farthest_m]
-    return geometry, values + [extras.get(spec.name) for spec in extra_specs()]
+    return geometry, values + [extras.get(spec.name) for spec in extra_fields()]
 
 
 def polygon_specs():
@@ -116,5 +116,5 @@ def polygon_specs():
         FieldSpec("hfov", "real", tr("Horizontal field of view (°)")),
         FieldSpec("area_m2", "real", tr("Ground in view (m²)")),
         FieldSpec("farthest_m", "real", tr("Farthest ground in view (m)")),
-        *extra_specs(),
+        *extra_fields(),
     ]
