@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing, QgsProcessingOutputNumber
 
 from ..core.progress import subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
+from .elevation import dem_fault
 from .feedback import FeedbackProgress
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
@@ -27,7 +27,7 @@ SHARE = 0.9
 """Of the progress bar; writing has the rest."""
 
 
-class DirectedViewshed(SkylineAlgorithm):
+class DirectedViewshed(DemAlgorithm):
     """Compute which ground oriented photographs show."""
 
     ID = "directedviewshed"
@@ -146,11 +146,6 @@ class DirectedViewshed(SkylineAlgorithm):
                       "full circle.")  # fmt: skip
         return None
 
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
-
     def compute(self, parameters, context, feedback):
         """Compute photo by photo, then write."""
         _, rows = read_points(self, parameters, context, "INPUT", None, NUMBER_FIELDS)
@@ -192,7 +187,7 @@ def pose_parameters():
 
 def interval_parameters():
     """Fields with the ends of the heading's interval, as `orientphotos` writes them."""
-    text = tr("Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.")
+    text = tr("Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.")
     return [
         shared.number_field("HEADING_LO_FIELD", tr("Field with the heading's lower end (°)"), text, "heading_lo"),
         shared.number_field("HEADING_HI_FIELD", tr("Field with the heading's upper end (°)"), text, "heading_hi"),

@@ -89,7 +89,7 @@ def write_sky_view(algorithm, parameters, context, source, feedback, share):
         refraction_coefficient=algorithm.parameterAsDouble(parameters, "REFRACTION", context),
     )
     progress = subtask(FeedbackProgress(feedback), *share)
-    with new_raster(path, dem, window, nodata=NODATA, descriptions=["sky view factor"], units=["1"]) as file:
+    with new_raster(path, dem, window, nodata=NODATA, descriptions=[tr("sky view factor")], units=["1"]) as file:
         for tile, factor in sky_view_raster(dem, window, options, progress):
             file.write(
                 np.where(np.isnan(factor), np.float32(NODATA), factor), tile.row - window.row, tile.col - window.col

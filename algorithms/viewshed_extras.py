@@ -114,6 +114,17 @@ def extra_fields():
     ]
 
 
+def layer_names():
+    """Names of the bands in the order of `core.viewshed_layers.LAYERS`."""
+    return [
+        tr("distance"),
+        tr("elevation angle"),
+        tr("height above the line of sight"),
+        tr("column in the photograph"),
+        tr("row in the photograph"),
+    ]
+
+
 class Extras:
     """Computes and writes them, photo by photo; what a repeated run finds finished in a folder it does not repeat.
 
@@ -175,7 +186,7 @@ class Extras:
             return
         lifted = clearance(self.dem, observer, seen.sector, seen.options, progress)
         strips = sector_layers(self.dem, seen, lifted, camera, pose)
-        bands = dict(list(LAYERS.items())[: 3 if camera is None else 5])
+        bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
         write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
 
     def _terrain_share(self, sight, seen, horizon):
@@ -224,7 +235,7 @@ class Extras:
         areas = {name: found.area_m2(level) for name, level in LEVELS.items()}
         facts = {"PHOTO": sight.photo or "", **{name.upper(): repr(area) for name, area in areas.items()}}
         strips = [(found.window, [found.values])]
-        bands = {"probability that the photograph shows the cell": "1"}
+        bands = {tr("probability that the photograph shows the cell"): "1"}
         write_layers(path, self.dem, found.window, bands, strips, mark, facts)
         return areas
 

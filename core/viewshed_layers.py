@@ -16,14 +16,9 @@ from .viewshed import ArraySink, FullCircle, ViewshedOptions, viewshed
 
 TILE_ROWS = 256
 
-LAYERS = {
-    "distance": "m",
-    "elevation angle": "degrees",
-    "height above the line of sight": "m",
-    "column in the photograph": "px",
-    "row in the photograph": "px",
-}
-"""Names and units of what `sector_layers` gives; the last two need a camera."""
+LAYERS = ("m", "degrees", "m", "px", "px")
+"""Units of what `sector_layers` gives: distance, elevation angle, height above the line of sight, and, with a camera,
+column and row in the photograph."""
 
 NOTHING_BETWEEN_M = 9999.0
 """Height above the line of sight of cells next to the eye, before which no ground lies [m]."""

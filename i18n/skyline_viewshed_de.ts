@@ -682,6 +682,16 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
+        <translation>Unter Erweitert: Ebenen je Zelle (Entfernung, Höhenwinkel, wie viel höher ein Ziel sein muss, um gesehen zu werden, Ort im Bild), Wahrscheinlichkeiten, in die die Fehler von Ausrichtung, Position und DGM eingehen, und die Horizontlinien der Fotos selbst, deren Vordergrund Gelände verdeckt. Fotos von genau einem Ort werden gemeinsam berechnet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
+        <translation>Ein abgebrochener Lauf wird unverändert wiederholt: Was in den Ordnern der Raster, Ebenen und Wahrscheinlichkeiten fertig liegt, wird von dort genommen, sofern DGM, Ausrichtung und Einstellungen noch dieselben sind.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Oriented photo points</source>
@@ -797,18 +807,18 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.</source>
-        <translation type="unfinished"></translation>
+        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
+        <translation>Des 90-%-Intervalls, für Wahrscheinlichkeiten. NULL: eine Standardabweichung von 0,5° steht dafür.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's lower end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Feld mit dem unteren Ende der Blickrichtung (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's upper end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Feld mit dem oberen Ende der Blickrichtung (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -1151,7 +1161,7 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter Erweitert gibt es auch ein Raster der Himmelssichtfaktoren aller Zellen einer Ausdehnung, jeweils mit der eigenen Hangneigung (Dozier und Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -2916,27 +2926,27 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Extent of the sky view raster</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausdehnung des Himmelssicht-Rasters</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation type="unfinished"></translation>
+        <translation>Himmelssichtfaktor jeder DGM-Zelle in der Ausdehnung, mit ihrer Hangneigung (1 = freier Himmel).</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer: das ganze DGM. Eine Million Zellen braucht etwa zehn Sekunden.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Search range of the sky view raster (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchweite des Himmelssicht-Rasters (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelände dahinter wird nicht betrachtet; ferne Berge nehmen wenig vom Himmel.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
@@ -2947,52 +2957,57 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ausdehnung des Himmelssicht-Rasters trifft das DGM nicht. Wählen Sie eine andere.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Suchweite des Himmelssicht-Rasters darf bei einem DGM von {cell} m höchstens {most} m sein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>Himmelssichtfaktor</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Skylines of the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontlinien der Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle von Horizontlinie ausziehen (photo, column, row, confidence). Gelände, das über der Horizontlinie seines Fotos erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Spalten mit einer Sicherheit unter 0,5 begrenzen nichts. Braucht den Bereich Bildausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Foreground hides ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Vordergrund verdeckt Gelände</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelände, das über der Horizontlinie des Fotos selbst erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Braucht den Bereich Bildausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Tolerance above the skyline (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz über der Horizontlinie (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>So weit über der Horizontlinie darf Gelände erscheinen und gilt doch als gesehen: Fehler des DGM und der Ausrichtung.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle der Horizontlinien hat kein Feld {field}. Wählen Sie die Tabelle, die Horizontlinie ausziehen geschrieben hat.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle der Horizontlinien kennt dieses Foto nicht: Es wird nichts abgeschnitten.</translation>
     </message>
     <message>
         <location filename="../algorithms/summit_input.py"/>
@@ -3133,92 +3148,122 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Smallest area (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Fläche (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinere Teile eines Polygons entfallen, kleinere Löcher werden gefüllt. 0 behält alles.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for layers per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für Ebenen je Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Foto ein Gleitkomma-GeoTIFF mit benannten Bändern: Entfernung (m), Höhenwinkel (°), Höhe über der Sichtlinie (m; negativ: so viel höher muss ein Ziel sein, um gesehen zu werden) und, wo die Ausrichtung bekannt ist, Spalte und Zeile im Bild (px). Keine Daten außerhalb von Bereich und Reichweite.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for probabilities per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für Wahrscheinlichkeiten je Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Foto ein GeoTIFF: wie wahrscheinlich das Bild eine Zelle zeigt (0 bis 1), bei den Fehlern unten und dem Intervall der Blickrichtung. Braucht den Bereich Bildausschnitt; dauert etwa fünfmal so lange.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of positions (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Positionen (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation along each axis, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung je Achse, für Wahrscheinlichkeiten.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the DEM (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler des DGM (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung der Höhe einer Zelle über dem, was davor steht, für Wahrscheinlichkeiten.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the pitch (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler des Nickwinkels (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Brennweite (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Share of the picture that the DEM explains as ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Bildes, den das DGM als Gelände erklärt</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelände, mit Wahrscheinlichkeit ab 0,9 gezeigt (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelände, mit Wahrscheinlichkeit ab 0,5 gezeigt (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>Höhe über der Sichtlinie</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>Spalte im Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>Zeile im Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Ebenen und Wahrscheinlichkeiten: Der Bereich hat mehr als {count} Millionen Zellen. Wählen Sie eine kürzere Höchstentfernung.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Wahrscheinlichkeiten: Sie brauchen den Bereich Bildausschnitt, mit Nickwinkel und vertikalem Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>Wahrscheinlichkeit, dass das Foto die Zelle zeigt</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_outputs.py"/>

@@ -682,6 +682,16 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
+        <translation>En Avanzado: capas por celda (distancia, ángulo de elevación, cuánto más alto debe ser un objetivo para verse, lugar en la imagen), probabilidades que incluyen los errores de orientación, posición y MDE, y las líneas del horizonte de las propias fotos, cuyo primer plano oculta terreno. Las fotos de exactamente un mismo lugar se calculan juntas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
+        <translation>Una ejecución interrumpida se repite tal cual: lo que esté terminado en las carpetas de ráster, capas y probabilidades se toma de allí si el MDE, la orientación y los ajustes siguen siendo los mismos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Oriented photo points</source>
@@ -797,18 +807,18 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.</source>
-        <translation type="unfinished"></translation>
+        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
+        <translation>Del intervalo del 90 %, para las probabilidades. NULL: una desviación típica de 0,5° lo sustituye.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's lower end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo con el extremo inferior del rumbo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's upper end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo con el extremo superior del rumbo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -1151,7 +1161,7 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation type="unfinished"></translation>
+        <translation>En Avanzado se obtiene además un ráster de los factores de visión del cielo de todas las celdas de una extensión, con la pendiente de cada una (Dozier y Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -2916,27 +2926,27 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Extent of the sky view raster</source>
-        <translation type="unfinished"></translation>
+        <translation>Extensión del ráster de visión del cielo</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation type="unfinished"></translation>
+        <translation>Factor de visión del cielo de cada celda del MDE en la extensión, con su pendiente (1 = cielo abierto).</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vacío: todo el MDE. Un millón de celdas tarda unos diez segundos.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Search range of the sky view raster (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcance de búsqueda del ráster de visión del cielo (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation type="unfinished"></translation>
+        <translation>El terreno más lejano no se examina; las montañas distantes ocupan poco cielo.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
@@ -2947,52 +2957,57 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>La extensión del ráster de visión del cielo no toca el MDE. Elija otra.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>El alcance de búsqueda del ráster de visión del cielo puede ser de {most} m como máximo con un MDE de {cell} m.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>factor de visión del cielo</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Skylines of the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Líneas de horizonte de las fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabla de Extraer la línea del horizonte (photo, column, row, confidence). El terreno que aparecería por encima de la línea del horizonte de su foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Las columnas con una confianza inferior a 0,5 no limitan nada. Necesita el área encuadre de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Foreground hides ground</source>
-        <translation type="unfinished"></translation>
+        <translation>El primer plano oculta terreno</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>El terreno que aparecería por encima de la línea del horizonte de la propia foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Necesita el área encuadre de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Tolerance above the skyline (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancia sobre la línea del horizonte (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hasta esta altura sobre la línea del horizonte el terreno aún se da por visto: errores del MDE y de la orientación.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tabla de líneas del horizonte no tiene el campo {field}. Elija la tabla que escribió Extraer la línea del horizonte.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tabla de líneas del horizonte no conoce esta foto: no se recorta nada.</translation>
     </message>
     <message>
         <location filename="../algorithms/summit_input.py"/>
@@ -3133,92 +3148,122 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Smallest area (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie mínima (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las partes menores de un polígono se omiten y los huecos menores se rellenan. 0 conserva todo.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for layers per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta para capas por foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GeoTIFF de coma flotante por foto con bandas con nombre: distancia (m), ángulo de elevación (°), altura sobre la línea de visión (m; negativa: tanto más alto debe ser un objetivo para verse) y, si se conoce la orientación, columna y fila en la imagen (px). Sin datos fuera del área y del alcance.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for probabilities per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta para probabilidades por foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GeoTIFF por foto: probabilidad de que la imagen muestre una celda (0 a 1), dados los errores de abajo y el intervalo del rumbo. Necesita el área encuadre de la foto; tarda unas cinco veces más.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of positions (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de las posiciones (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation along each axis, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica en cada eje, para las probabilidades.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the DEM (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Error del MDE (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica de la altura de una celda sobre lo que tiene delante, para las probabilidades.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the pitch (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Error del cabeceo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica, para las probabilidades.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de la distancia focal (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Share of the picture that the DEM explains as ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la imagen que el MDE explica como terreno</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Terreno mostrado con probabilidad de 0,9 o más (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Terreno mostrado con probabilidad de 0,5 o más (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>ángulo de elevación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>altura sobre la línea de visión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>columna en la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>fila en la foto</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin capas ni probabilidades: el área tiene más de {count} millones de celdas. Elija una distancia máxima menor.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin probabilidades: necesitan el área encuadre de la foto, con cabeceo y campo de visión vertical.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>probabilidad de que la foto muestre la celda</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_outputs.py"/>

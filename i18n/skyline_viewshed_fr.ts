@@ -682,6 +682,16 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
+        <translation>Sous Avancé : couches par cellule (distance, angle de hauteur, de combien une cible doit être plus haute pour être vue, place dans l'image), probabilités tenant compte des erreurs d'orientation, de position et du MNT, et lignes d'horizon des photos elles-mêmes, dont le premier plan cache du terrain. Les photos prises exactement au même endroit sont calculées ensemble.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
+        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
+        <translation>Un traitement interrompu se répète tel quel : ce qui se trouve terminé dans les dossiers des rasters, des couches et des probabilités y est repris si le MNT, l'orientation et les réglages sont restés les mêmes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/views.py"/>
         <source>Oriented photo points</source>
@@ -797,18 +807,18 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: 0.5° either way stand for it.</source>
-        <translation type="unfinished"></translation>
+        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
+        <translation>De l'intervalle à 90 %, pour les probabilités. NULL : un écart type de 0,5° en tient lieu.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's lower end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Champ de la borne inférieure de l'azimut de visée (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Field with the heading's upper end (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Champ de la borne supérieure de l'azimut de visée (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -1151,7 +1161,7 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation type="unfinished"></translation>
+        <translation>Sous Avancé, on obtient aussi un raster des facteurs de vue du ciel de toutes les cellules d'une emprise, compte tenu de la pente de chacune (Dozier et Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -2916,27 +2926,27 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Extent of the sky view raster</source>
-        <translation type="unfinished"></translation>
+        <translation>Emprise du raster de vue du ciel</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation type="unfinished"></translation>
+        <translation>Facteur de vue du ciel de chaque cellule du MNT dans l'emprise, compte tenu de sa pente (1 = ciel dégagé).</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vide : tout le MNT. Un million de cellules demande une dizaine de secondes.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Search range of the sky view raster (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Portée de recherche du raster de vue du ciel (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le terrain au-delà n'est pas examiné ; les montagnes lointaines prennent peu de ciel.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
@@ -2947,52 +2957,57 @@
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'emprise du raster de vue du ciel ne touche pas le MNT. Choisissez-en une autre.</translation>
     </message>
     <message>
         <location filename="../algorithms/sky_view_output.py"/>
         <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>La portée de recherche du raster de vue du ciel ne peut dépasser {most} m avec un MNT de {cell} m.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>facteur de vue du ciel</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Skylines of the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes d'horizon des photos</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande la zone cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Foreground hides ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Le premier plan cache du terrain</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande la zone cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Tolerance above the skyline (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérance au-dessus de la ligne d'horizon (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jusqu'à cette hauteur au-dessus de la ligne d'horizon, le terrain compte encore comme vu : erreurs du MNT et de l'orientation.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation type="unfinished"></translation>
+        <translation>La table des lignes d'horizon n'a pas de champ {field}. Choisissez la table écrite par Extraire la ligne d'horizon.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La table des lignes d'horizon ne connaît pas cette photo : rien n'est retranché.</translation>
     </message>
     <message>
         <location filename="../algorithms/summit_input.py"/>
@@ -3133,92 +3148,122 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Smallest area (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus petite surface (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les parties d'un polygone plus petites sont omises, les trous plus petits comblés. 0 garde tout.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for layers per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier des couches par photo</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de la zone et de la portée.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Folder for probabilities per photo</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier des probabilités par photo</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande la zone cadre de la photo ; environ cinq fois plus long.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of positions (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur des positions (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation along each axis, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart type selon chaque axe, pour les probabilités.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the DEM (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur du MNT (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart type de la hauteur d'une cellule au-dessus de ce qui se trouve devant elle, pour les probabilités.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the pitch (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur du tangage (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart type, pour les probabilités.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur de la focale (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Share of the picture that the DEM explains as ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de l'image que le MNT explique comme terrain</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Terrain montré avec une probabilité d'au moins 0,9 (m²)</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation type="unfinished"></translation>
+        <translation>Terrain montré avec une probabilité d'au moins 0,5 (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>angle de hauteur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>hauteur au-dessus de la ligne de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>colonne dans la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>ligne dans la photo</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ni couches ni probabilités : la zone a plus de {count} millions de cellules. Prenez une distance maximale plus courte.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas de probabilités : il faut la zone cadre de la photo, avec le tangage et le champ vertical.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>probabilité que la photo montre la cellule</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_outputs.py"/>
