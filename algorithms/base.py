@@ -15,6 +15,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..core.errors import Cancelled, SkylineViewshedError
 from .core_sentences import in_users_language
+from .elevation import dem_fault, dem_source
 from .i18n import tr
 from .reporting import facts_of, software
 from .styling import tell_provenance
@@ -121,6 +122,19 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
                     folder=folder, name=definition.name()
                 )
         return None
+
+
+class DemAlgorithm(SkylineAlgorithm):
+    """An algorithm that reads an elevation model: after `prepareAlgorithm` it stands in `self.dem`."""
+
+    def input_fault(self, parameters, context):
+        """Check the DEM."""
+        return dem_fault(self, parameters, context)
+
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Take from the layers what they give in the main thread only."""
+        self.dem = dem_source(self, parameters, context)
+        return True
 
 
 def _nearest_folder(path):

@@ -7,16 +7,15 @@ from qgis.core import QgsProcessingOutputNumber
 from ..core.errors import PhotoError
 from ..core.progress import subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
+from .base import DemAlgorithm
 from .draped_raster import write_draped
-from .elevation import dem_fault, dem_source
 from .feedback import warn
 from .i18n import tr
 from .styling import style_on_completion
 from .views import add_view_parameters, open_views
 
 
-class DrapePhoto(SkylineAlgorithm):
+class DrapePhoto(DemAlgorithm):
     """Drape photographs over the elevation model."""
 
     ID = "drapephoto"
@@ -84,15 +83,6 @@ class DrapePhoto(SkylineAlgorithm):
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos draped")))
         self.addOutput(QgsProcessingOutputNumber("CELLS", tr("Number of cells with colour")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Drape photo by photo, then write."""

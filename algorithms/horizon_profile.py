@@ -15,7 +15,7 @@ from ..core.errors import PhotoError
 from ..core.horizon import HorizonOptions
 from ..core.progress import checkpoint, subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
+from .base import DemAlgorithm
 from .elevation import dem_fault, dem_source
 from .feedback import FeedbackProgress, announce, warn
 from .fields import FieldSpec, qgis_fields
@@ -30,7 +30,7 @@ PROFILES_PART = 0.4
 """Of the progress bar, where a raster of sky view factors follows."""
 
 
-class HorizonProfile(SkylineAlgorithm):
+class HorizonProfile(DemAlgorithm):
     """Cast the horizon around points."""
 
     ID = "horizonprofile"
@@ -102,11 +102,6 @@ class HorizonProfile(SkylineAlgorithm):
         return dem_fault(self, parameters, context) or sky_view_fault(
             self, parameters, context, dem_source(self, parameters, context)
         )
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Cast point by point, then write."""

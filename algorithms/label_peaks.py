@@ -11,8 +11,7 @@ from qgis.core import (
 )
 
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
 from .fields import FieldSpec, qgis_fields
 from .i18n import tr
 from .map_places import map_of_local, number
@@ -23,7 +22,7 @@ from .summit_input import Summitry, add_summit_parameters
 from .views import add_view_parameters, open_views, sight_options
 
 
-class LabelPeaks(SkylineAlgorithm):
+class LabelPeaks(DemAlgorithm):
     """Tell which summits photographs show, and write their names in."""
 
     ID = "labelpeaks"
@@ -74,15 +73,6 @@ class LabelPeaks(SkylineAlgorithm):
         self.addParameter(shared.folder_out("PICTURES", tr("Folder for labelled photos"), text))
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of summits in frame")))
         self.addOutput(QgsProcessingOutputNumber("VISIBLE_COUNT", tr("Number of visible summits")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Label photo by photo, then write."""

@@ -13,8 +13,7 @@ from qgis.core import (
 )
 
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
 from .fields import qgis_fields
 from .i18n import tr
 from .image_features import ImageFeatures, line_specs, point_specs
@@ -24,7 +23,7 @@ from .styling import style_on_completion
 from .views import add_view_parameters, open_views, sight_options
 
 
-class MapToPixel(SkylineAlgorithm):
+class MapToPixel(DemAlgorithm):
     """Find where map features appear in photographs."""
 
     ID = "maptopixel"
@@ -99,15 +98,6 @@ class MapToPixel(SkylineAlgorithm):
         self.addParameter(shared.folder_out("PICTURES", tr("Folder for annotated photos"), text))
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of points and pieces")))
         self.addOutput(QgsProcessingOutputNumber("VISIBLE_COUNT", tr("Number of visible points and pieces")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Project photo by photo, then write."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsProcessingOutputNumber
 
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
+from .elevation import dem_fault
 from .i18n import tr
 from .layers import points_fault, read_points
 from .orientation import (
@@ -27,7 +27,7 @@ from .rescue import add_rescue_parameters
 from .styling import style_on_completion
 
 
-class OrientPhotos(SkylineAlgorithm):
+class OrientPhotos(DemAlgorithm):
     """Find heading, pitch and roll of each photograph from its skyline and the DEM's horizon."""
 
     ID = "orientphotos"
@@ -93,11 +93,6 @@ class OrientPhotos(SkylineAlgorithm):
         """Check the layer and the DEM."""
         fault = points_fault(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
         return fault or dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Orient photo by photo, then write."""

@@ -148,6 +148,16 @@ def _is_plain_file(value):
     return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 
 
+def unused(stem, taken):
+    """File name without suffix that no earlier file of the run has; `taken` remembers the names in use."""
+    unique, number = stem, 1
+    while unique.lower() in taken:
+        number += 1
+        unique = f"{stem}_{number}"
+    taken.add(unique.lower())
+    return unique
+
+
 def make_folder_of(value):
     """Make the folder that an output file will lie in; destinations that are no plain path are left alone.
 

@@ -15,8 +15,7 @@ from ..core.errors import PhotoError
 from ..core.panorama import PanoramaOptions
 from ..core.progress import subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
 from .feedback import FeedbackProgress, announce, warn
 from .fields import FieldSpec, is_null, qgis_fields
 from .i18n import tr
@@ -28,7 +27,7 @@ from .styling import style_on_completion
 from .summit_input import Summitry, add_summit_parameters
 
 
-class Panorama(SkylineAlgorithm):
+class Panorama(DemAlgorithm):
     """Draw what the terrain looks like all round."""
 
     ID = "panorama"
@@ -90,15 +89,6 @@ class Panorama(SkylineAlgorithm):
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of panoramas")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Draw point by point, then write the ridges."""

@@ -14,9 +14,8 @@ from qgis.core import (
 
 from ..core.errors import PhotoError
 from . import parameters as shared
-from .base import SkylineAlgorithm
+from .base import DemAlgorithm
 from .coverage_outputs import area_mask, coverage_specs, coverage_window, table_rows, write_coverage
-from .elevation import dem_fault, dem_source
 from .feedback import warn
 from .fields import is_null, qgis_fields
 from .i18n import tr
@@ -25,7 +24,7 @@ from .styling import style_on_completion
 from .views import add_view_parameters, open_views
 
 
-class PhotoCoverage(SkylineAlgorithm):
+class PhotoCoverage(DemAlgorithm):
     """Tell what a collection covers."""
 
     ID = "photocoverage"
@@ -105,15 +104,6 @@ class PhotoCoverage(SkylineAlgorithm):
         ):
             self.addOutput(QgsProcessingOutputNumber(name, label))
         self.addOutput(QgsProcessingOutputBoolean("PROVEN", tr("No smaller choice exists")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """See photo by photo, choose, then write."""

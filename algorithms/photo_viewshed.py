@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsProcessingPar
 
 from ..core.progress import subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
+from .elevation import dem_fault
 from .feedback import FeedbackProgress
 from .fields import is_null, photo_specs
 from .folder_photos import folder_fault, photo_rows
@@ -39,7 +39,7 @@ ORIENTATION_PART = 0.8
 """Of a photo's share of the progress bar; its viewshed has the rest."""
 
 
-class PhotoViewshed(SkylineAlgorithm):
+class PhotoViewshed(DemAlgorithm):
     """The whole pipeline in one algorithm."""
 
     ID = "photoviewshed"
@@ -162,11 +162,6 @@ class PhotoViewshed(SkylineAlgorithm):
             or dem_fault(self, parameters, context)
             or range_fault(self, parameters, context)
         )
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Orient a photo, compute what it shows, take the next; then write."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from ..core.errors import MissingPackageError, PhotoError
 from .feedback import warn
 from .i18n import tr
-from .outputs import make_folder_of, unwritable
+from .outputs import make_folder_of, unused, unwritable
 
 PREVIEW_PX = 1600
 
@@ -51,12 +51,7 @@ class PictureFolder:
     def stem(self, name):
         """File name without suffix, not used before in this folder."""
         stem = "".join(c if c.isalnum() or c in "-_. " else "_" for c in Path(name).stem) or "photo"
-        unique, number = stem, 1
-        while unique.lower() in self._taken:
-            number += 1
-            unique = f"{stem}_{number}"
-        self._taken.add(unique.lower())
-        return unique
+        return unused(stem, self._taken)
 
     def annotate(self, photo, points, strokes, feedback):
         """Write one photo with its marks; a photo that cannot be read or drawn is warned of."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
 
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
+from .elevation import dem_fault
 from .fields import qgis_fields
 from .i18n import tr
 from .monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_specs
@@ -16,7 +16,7 @@ from .styling import style_on_completion
 from .views import add_uncertainty_parameters, add_view_parameters, open_views, sight_options, uncertainty_of
 
 
-class PixelToMap(SkylineAlgorithm):
+class PixelToMap(DemAlgorithm):
     """Place what was drawn on photographs on the map."""
 
     ID = "pixeltomap"
@@ -104,11 +104,6 @@ class PixelToMap(SkylineAlgorithm):
     def input_fault(self, parameters, context):
         """Check the DEM and that something was drawn."""
         return dem_fault(self, parameters, context) or pixel_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Place photo by photo, then write."""

@@ -11,13 +11,12 @@ from ..core.camera import Camera, Pose, focal_of_fov_px
 from ..core.errors import PhotoError
 from ..core.progress import subtask
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
 from .feedback import FeedbackProgress, announce, warn
 from .fields import is_null
 from .i18n import tr
 from .layers import read_points
-from .outputs import make_folder_of
+from .outputs import make_folder_of, unused
 
 POSE_FIELDS = ("HEADING_FIELD", "PITCH_FIELD", "ROLL_FIELD", "HFOV_FIELD", "HEIGHT_FIELD")
 FORMATS = ("jpg", "heic")
@@ -25,7 +24,7 @@ DEFAULT_HFOV_DEG = 65.0
 DIAGONAL_MM = 43.2666
 
 
-class SimulatePhotos(SkylineAlgorithm):
+class SimulatePhotos(DemAlgorithm):
     """Render what a camera would see."""
 
     ID = "simulatephotos"
@@ -79,15 +78,6 @@ class SimulatePhotos(SkylineAlgorithm):
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Render point by point; each file is whole before the next begins."""
@@ -241,9 +231,4 @@ def stem_of(row, taken):
     names = {name.lower(): name for name in row.feature.fields().names()}
     values = [row.feature[names[name]] for name in ("photo", "filename", "name") if name in names]
     stem = next((Path(str(value)).stem for value in values if not is_null(value)), f"photo_{row.feature.id()}")
-    unique, number = stem, 1
-    while unique.lower() in taken:
-        number += 1
-        unique = f"{stem}_{number}"
-    taken.add(unique.lower())
-    return unique
+    return unused(stem, taken)

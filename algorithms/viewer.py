@@ -10,7 +10,7 @@ from ..core.errors import Cancelled, PhotoError
 from ..core.progress import checkpoint, subtask
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
-from .outputs import make_folder_of
+from .outputs import make_folder_of, unused
 from .visibility import sector_of
 
 PACKED_CELLS = 500_000_000
@@ -193,9 +193,4 @@ def stations(sights):
 def file_stem(sight, taken):
     """Unique name for a photo's own raster; `taken` remembers the names in use."""
     stem = Path(sight.photo).stem if sight.photo else f"point_{sight.source_id}"
-    unique, number = stem, 1
-    while unique.lower() in taken:
-        number += 1
-        unique = f"{stem}_{number}"
-    taken.add(unique.lower())
-    return unique
+    return unused(stem, taken)

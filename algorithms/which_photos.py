@@ -13,8 +13,7 @@ from qgis.core import (
 )
 
 from . import parameters as shared
-from .base import SkylineAlgorithm
-from .elevation import dem_fault, dem_source
+from .base import DemAlgorithm
 from .fields import FieldSpec, is_null, qgis_fields
 from .i18n import tr
 from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
@@ -26,7 +25,7 @@ NET_CELLS = 1.0
 """Areas are asked in a net of this many DEM cells."""
 
 
-class WhichPhotos(SkylineAlgorithm):
+class WhichPhotos(DemAlgorithm):
     """Find the photographs that show given places."""
 
     ID = "whichphotos"
@@ -91,15 +90,6 @@ class WhichPhotos(SkylineAlgorithm):
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of rows")))
         self.addOutput(QgsProcessingOutputNumber("UNSEEN", tr("Number of places that no photo shows")))
-
-    def input_fault(self, parameters, context):
-        """Check the DEM."""
-        return dem_fault(self, parameters, context)
-
-    def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
-        self.dem = dem_source(self, parameters, context)
-        return True
 
     def compute(self, parameters, context, feedback):
         """Ask photo by photo, rank, then write."""
