@@ -2977,7 +2977,7 @@
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande la zone cadre de la photo.</translation>
+        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande l'étendue cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
@@ -2987,7 +2987,7 @@
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
         <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande la zone cadre de la photo.</translation>
+        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande l'étendue cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/skyline_limits.py"/>
@@ -3163,7 +3163,7 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de la zone et de la portée.</translation>
+        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de l'étendue et de la portée.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
@@ -3173,7 +3173,7 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande la zone cadre de la photo ; environ cinq fois plus long.</translation>
+        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo ; environ cinq fois plus long.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
@@ -3253,12 +3253,12 @@
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation>Ni couches ni probabilités : la zone a plus de {count} millions de cellules. Prenez une distance maximale plus courte.</translation>
+        <translation>Ni couches ni probabilités : l'étendue a plus de {count} millions de cellules. Prenez une distance maximale plus courte.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation>Pas de probabilités : il faut la zone cadre de la photo, avec le tangage et le champ vertical.</translation>
+        <translation>Pas de probabilités : il faut l'étendue cadre de la photo, avec le tangage et le champ vertical.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>
