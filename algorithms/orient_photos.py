@@ -16,6 +16,7 @@ from .orientation import (
     options_of,
     orient_each,
     oriented_fields,
+    oriented_out,
     oriented_row,
     requests_of,
     summary,
@@ -75,16 +76,7 @@ class OrientPhotos(DemAlgorithm):
         add_field_parameters(self)
         add_terrain_parameters(self)
         add_rescue_parameters(self)
-        self.addParameter(
-            shared.points_out(
-                "OUTPUT",
-                tr("Oriented photos"),
-                text=tr(
-                    "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, "
-                    "how sure they are, status and message."
-                ),
-            )
-        )
+        self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
         self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))

@@ -53,6 +53,18 @@ def add_terrain_parameters(algorithm):
         algorithm.addParameter(shared.advanced(parameter))
 
 
+def oriented_out(name="OUTPUT"):
+    """Layer of oriented photographs."""
+    return shared.points_out(
+        name,
+        tr("Oriented photos"),
+        text=tr(
+            "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they"
+            " are, status and message."
+        ),
+    )
+
+
 def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
     """Options of the core from the parameters; `horizon_distance` names the one with the search range."""
     from ..core.pipeline import OrientOptions

@@ -18,6 +18,7 @@ from .orientation import (
     add_field_parameters,
     options_of,
     orient_each,
+    oriented_out,
     oriented_row,
     requests_of,
     summary,
@@ -114,16 +115,7 @@ class PhotoViewshed(DemAlgorithm):
 
     def _add_outputs(self):
         polygon = QgsProcessing.SourceType.TypeVectorPolygon
-        self.addParameter(
-            shared.points_out(
-                "OUTPUT",
-                tr("Oriented photos"),
-                text=tr(
-                    "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, "
-                    "how sure they are, status and message."
-                ),
-            )
-        )
+        self.addParameter(oriented_out())
         self.addParameter(
             shared.points_out(
                 "POLYGONS",
