@@ -59,8 +59,8 @@ def oriented_out(name="OUTPUT"):
         name,
         tr("Oriented photos"),
         text=tr(
-            "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they"
-            " are, status and message."
+            "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure "
+            "they are, status and message."
         ),
     )
 
