@@ -85,11 +85,12 @@ def oriented_points(path):
 
 def draw_map(results, dem_path, target):
     """Shaded relief with cameras and the ground they show."""
-    import numpy as np
     from osgeo import gdal, ogr
     from skyline_viewshed.core.draw_raster import encode_png
-    from skyline_viewshed.core.figures_map import MapData, MapObserver, map_image
+    from skyline_viewshed.core.figures_ground import SeenGround, ground_map
+    from skyline_viewshed.core.figures_map import MapObserver, map_image
     from skyline_viewshed.core.io.raster import open_dem
+    from skyline_viewshed.core.terrain import Window
 
     dem = open_dem(dem_path)
     source = ogr.Open(str(results["points"]))
@@ -100,41 +101,21 @@ def draw_map(results, dem_path, target):
             continue
         col_px, row_px = (float(value) for value in dem.pixel_of(shape.GetX(), shape.GetY()))
         if 0 <= col_px < dem.shape[1] and 0 <= row_px < dem.shape[0]:
-            places.append((col_px, row_px, row))
-    seen = gdal.Open(str(results["viewshed"])).ReadAsArray()
-    seen = np.where(seen == 65535, 0, seen)
-    window = map_window(dem.shape, seen, places)
-    step = max(1, -(-max(window.rows, window.cols) // MAP_CELLS))
-    for col_px, row_px, row in places:
-        at = (col_px - window.col) / step, (row_px - window.row) / step
-        trusted = row["heading"] if row["status"] == "accepted" else None
-        observers.append(MapObserver(*at, trusted, row["hfov"], Path(row["photo"]).stem))
-    frame = dem.frame(*dem.position_of(window.col + window.cols / 2, window.row + window.rows / 2), 1000.0)
-    rows, cols = slice(window.row, window.row + window.rows), slice(window.col, window.col + window.cols)
-    data = MapData(
-        dem.read(window)[::step, ::step],
-        tuple(side * step for side in frame.cell_size_m),
-        frame.convergence_deg,
-        seen[rows, cols][::step, ::step],
-        tuple(observers),
+            places.append((shape.GetX(), shape.GetY()))
+            trusted = row["heading"] if row["status"] == "accepted" else None
+            observers.append(MapObserver(col_px, row_px, trusted, row["hfov"], Path(row["photo"]).stem))
+    rows, cols = dem.shape
+    middle = places[0] if places else dem.position_of(cols / 2, rows / 2)
+    counts = gdal.Open(str(results["viewshed"])).ReadAsArray()
+    data = ground_map(
+        dem,
+        dem.frame(*middle, 1000.0),
+        SeenGround(Window(0, 0, rows, cols), counts, unknown=65535),
+        observers,
+        shown=len(observers),
+        most_cells=MAP_CELLS,
     )
     target.write_bytes(encode_png(map_image(data, 1400)))
-
-
-def map_window(shape, seen, places):
-    """Rectangle of cells that holds cameras and ground in view, with a margin."""
-    import numpy as np
-    from skyline_viewshed.core.terrain import Window
-
-    rows, cols = (list(index) for index in np.nonzero(seen))
-    rows += [row for _, row, _ in places]
-    cols += [col for col, _, _ in places]
-    if not rows:
-        return Window(0, 0, *shape)
-    margin = 0.08 * max(max(rows) - min(rows), max(cols) - min(cols)) + 5
-    top, left = int(min(rows) - margin), int(min(cols) - margin)
-    size = int(max(rows) + margin) - top, int(max(cols) + margin) - left
-    return Window(top, left, *size).clipped(shape)
 
 
 def table(results, photos):

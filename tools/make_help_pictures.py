@@ -13,6 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
 from skyline_viewshed.core.batch import PhotoRequest, orient_request  # noqa: E402
 from skyline_viewshed.core.draw_raster import draw_dot, draw_line, encode_jpeg, resized  # noqa: E402
+from skyline_viewshed.core.figures_ground import SeenGround, ground_map  # noqa: E402
 from skyline_viewshed.core.figures_map import MapData, MapObserver, map_image  # noqa: E402
 from skyline_viewshed.core.figures_overlay import overlay_image  # noqa: E402
 from skyline_viewshed.core.figures_panels import three_panels  # noqa: E402
@@ -94,18 +95,8 @@ def ground(photo, dem):
     observer = Observer(photo.longitude_deg, photo.latitude_deg, eye_elevation_m=photo.eye_elevation_m)
     pose = photo.orientation.best.pose
     found = viewshed(dem, observer, PhotoFrame(photo.camera, pose), ViewshedOptions(max_distance_m=14_000))
-    size = int(13_000 / found.frame.cell_m)
-    row, col = int(found.frame.row_px), int(found.frame.col_px)
-    turn = np.radians(pose.heading_deg - found.frame.convergence_deg)
-    row, col = int(row - np.cos(turn) * size * 0.35), int(col + np.sin(turn) * size * 0.35)
-    window = Window(row - size // 2, col - size // 2, size, size).clipped(dem.shape)
-    seen = np.zeros(dem.shape, np.uint8)
-    part = found.window
-    seen[part.row : part.row + part.rows, part.col : part.col + part.cols] = found.visible
-    at = found.frame.col_px - window.col, found.frame.row_px - window.row
-    rows, cols = slice(window.row, window.row + window.rows), slice(window.col, window.col + window.cols)
-    eye = MapObserver(*at, pose.heading_deg, photo.camera.hfov_deg)
-    return MapData(dem.read(window), found.frame.cell_size_m, found.frame.convergence_deg, seen[rows, cols], (eye,))
+    eye = MapObserver(found.frame.col_px, found.frame.row_px, pose.heading_deg, photo.camera.hfov_deg)
+    return ground_map(dem, found.frame, SeenGround(found.window, found.values), [eye])
 
 
 def stations(dem):
