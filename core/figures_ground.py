@@ -35,7 +35,7 @@ class SeenGround:
     ----------
     window : Window
         Of the raster.
-    values : (rows, cols) array
+    values : (rows, cols) array, or what gives one for two slices
         0 not seen; else seen, or how many photographs see the cell.
     unknown : int
         Value of cells of which nothing is known; they count as not seen.

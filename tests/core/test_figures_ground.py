@@ -100,6 +100,20 @@ def test_other_places_are_thinned_and_the_track_is_cut_to_the_surroundings():
     assert ground_map(terrain, frame_of(terrain), seen, [MapObserver(20.0, 70.0)], track[:2]).track_px is None
 
 
+def test_packed_cells_serve_as_an_array_does():
+    from skyline_viewshed.core.viewshed_packed import PackedSink
+
+    terrain, window = sloping(), Window(7, 9, 70, 101)
+    values = (np.indices((70, 101)).sum(axis=0) % 5 < 3).astype(np.uint8)
+    values[40:, 50:] = 255
+    packed = PackedSink(window)
+    packed.add(window, values)
+    frame, eye = frame_of(terrain), [MapObserver(20.0, 70.0)]
+    one, other = (ground_map(terrain, frame, SeenGround(window, v), eye) for v in (values, packed.values))
+    np.testing.assert_array_equal(one.seen, other.seen)
+    assert one.seen.any() and one.observers == other.observers
+
+
 def test_a_raster_that_runs_from_south_to_north_is_turned():
     class SouthUp(ArrayTerrain):
         def frame(self, longitude_deg, latitude_deg, radius_m):
