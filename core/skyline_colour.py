@@ -21,6 +21,15 @@ FEWEST_IN_CLUSTER = 15
 RATIO_LIMIT = 5.0
 """Log-likelihood ratios are clipped here, lest a lake or a snowfield decide a whole column."""
 
+MARGIN_PX = 3
+"""Pixels this near to the boundary are neither sky nor ground."""
+
+REACH = 0.5
+"""Ground farther below the skyline than this share of the height (a lake, a meadow) teaches nothing."""
+
+DOUBT = 0.1
+"""A pixel teaches where the chance that it is the other kind is below this."""
+
 SEAM_COST_PER_PX = 0.15
 SEAM_WINDOWS_PX = (6, 18, 54)
 
@@ -46,13 +55,34 @@ def learn_sky(appearance, passes=3):
     for turn in range(passes):
         if turn:
             line = best_line(_seam_score(edge, ratio), SEAM_COST_PER_PX)
-        is_sky = rows < line - 3
-        is_ground = (rows > line + 3) & (rows < line + 0.5 * height)
+        is_sky = rows < line - MARGIN_PX
+        is_ground = (rows > line + MARGIN_PX) & (rows < line + REACH * height)
         learned = sky_log_ratio(appearance.colour, is_sky, is_ground)
         if learned is None:
             break
         ratio = np.clip(learned, -RATIO_LIMIT, RATIO_LIMIT)
     return ratio
+
+
+def relearn_sky(appearance, probability, ratio):
+    """The same log-likelihood ratio, learned from the pixels that a first extraction takes for sky and for ground.
+
+    Parameters
+    ----------
+    appearance : Appearance
+    probability : (H, W) array
+        p(first terrain row | column).
+    ratio : (H, W) array
+        What stays where nothing can be learned.
+    """
+    height = len(probability)
+    ground = probability.cumsum(0)
+    above = np.pad(ground[:-MARGIN_PX], ((MARGIN_PX, 0), (0, 0)))
+    below = np.pad(ground[MARGIN_PX:], ((0, MARGIN_PX), (0, 0)), constant_values=1)
+    likeliest = probability.argmax(0)
+    near = np.arange(height)[:, None] < likeliest + REACH * height
+    learned = sky_log_ratio(appearance.colour, below < DOUBT, (above > 1 - DOUBT) & near)
+    return ratio if learned is None else np.clip(learned, -RATIO_LIMIT, RATIO_LIMIT)
 
 
 def _seam_score(edge, ratio):

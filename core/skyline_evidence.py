@@ -19,7 +19,7 @@ from . import imaging
 from .errors import SkylineNotFoundError
 from .model import Skyline, SkylineEvidence
 from .skyline_appearance import measure
-from .skyline_colour import learn_sky
+from .skyline_colour import learn_sky, relearn_sky
 from .skyline_crop import find_crop
 from .skyline_features import boundary_features
 from .skyline_seam import best_line, row_marginals
@@ -44,7 +44,9 @@ class EvidenceOptions:
     work_px : int
         Long side of the reduced picture; the weights belong to this scale [pixels].
     colour_passes : int
-        Rounds of learning the colours of sky and ground from the picture.
+        Rounds of learning the colours of sky and ground from the picture's edges alone.
+    refits : int
+        Rounds of learning them again from what the whole extraction then believes.
     temper : float
         Exponent of each column's probabilities before they are joined: about one over the number of columns that
         see the same pixels.
@@ -59,7 +61,8 @@ class EvidenceOptions:
     """
 
     work_px: int = 512
-    colour_passes: int = 3
+    colour_passes: int = 1
+    refits: int = 1
     temper: float = 0.3
     step_cost_per_px: float = 0.4
     jump_share: float = 0.01
@@ -105,8 +108,10 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         raise SkylineNotFoundError("The picture has a single colour.")
     appearance = measure(inner)
     ratio = learn_sky(appearance, options.colour_passes)
-    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
-    probability = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
+    score, probability = _believe(appearance, ratio, options)
+    for _ in range(options.refits):
+        ratio = relearn_sky(appearance, probability, ratio)
+        score, probability = _believe(appearance, ratio, options)
     line = best_line(score, options.seam_cost_per_px)
     inside, leaves_frame = _cut_ridges_apart(probability)
     return SkylineEvidence(
@@ -119,6 +124,12 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         _framed(_ridges(appearance, probability), crop, reduced.shape, 0),
         np.pad(leaves_frame, (left, right)),
     )
+
+
+def _believe(appearance, ratio, options):
+    """Score of each row by its column alone, and probability by all columns, both (H, W)."""
+    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
+    return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
 
 def log_probability(features, weights):
