@@ -10,6 +10,7 @@ import errno
 import os
 import secrets
 import shutil
+import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from ..errors import OutputError
 
 JOURNALS = ("-wal", "-shm", "-journal")
 """What SQLite keeps beside a database; one that a dead process has left must not meet a new database."""
+
+PATIENCE_S = (0.1, 0.4)
 
 SHAPEFILE_PARTS = (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj", ".idm", ".ind")
 """What belongs to an older shapefile of the same name, as QGIS takes it away when it overwrites one."""
@@ -68,7 +71,18 @@ def _move(stage, path):
         for file in stale:
             file.unlink()
     for file in written:
-        os.replace(file, path.with_name(file.name))
+        _replace(file, path.with_name(file.name))
+
+
+def _replace(file, target):
+    """Rename; on Windows a scanner of viruses may hold a new file for a moment, and then it is asked again."""
+    for seconds in PATIENCE_S:
+        try:
+            os.replace(file, target)
+            return
+        except PermissionError:
+            time.sleep(seconds)
+    os.replace(file, target)
 
 
 def _companions(main):

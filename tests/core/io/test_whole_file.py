@@ -78,6 +78,25 @@ def test_a_read_only_folder_is_said_in_a_sentence(tmp_path, monkeypatch):
         pytest.fail("there is nowhere to write")
 
 
+def test_a_file_that_a_scanner_holds_for_a_moment_is_asked_for_again(tmp_path, monkeypatch):
+    refusals, replace = [1, 2], os.replace
+
+    def held(source, target):
+        if refusals:
+            refusals.pop()
+            raise PermissionError(13, "Access is denied")
+        replace(source, target)
+
+    monkeypatch.setattr(whole_file.os, "replace", held)
+    with staged(tmp_path / "x.gpkg") as stage:
+        (stage / "x.gpkg").write_text("newer")
+    assert os.listdir(tmp_path) == ["x.gpkg"]
+    refusals[:] = [1] * 9
+    with pytest.raises(OutputError, match="Access is denied"), staged(tmp_path / "y.gpkg") as stage:
+        (stage / "y.gpkg").write_text("newer")
+    assert os.listdir(tmp_path) == ["x.gpkg"]
+
+
 def test_a_writer_that_writes_nothing_is_found_out(tmp_path):
     with pytest.raises(OutputError, match="No such file"), staged(tmp_path / "x.gpkg"):
         pass
