@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..core.errors import MissingPackageError, PhotoError
 from .feedback import warn
-from .i18n import tr
+from .i18n import marked, tr
 from .outputs import make_folder_of, unused, unwritable
 
 PREVIEW_PX = 1600
@@ -69,7 +69,7 @@ class PictureFolder:
             drawn = annotate(picture.pixels, picture.metadata.width_px, points, strokes)
             stem = self.stem(photo.name)
             write_whole(self.folder / f"{stem}.png", encode_png(annotation_pixels(drawn), quickly=True))
-            write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn))
+            write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn, marked))
             self.count += 1
         except (PhotoError, MissingPackageError) as error:
             warn(feedback, photo.name, str(error))

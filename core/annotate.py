@@ -115,8 +115,8 @@ def annotation_pixels(annotation):
     return pixels
 
 
-def annotation_svg(annotation):
-    """Draw the marks over the embedded picture: SVG text, complete in one file."""
+def annotation_svg(annotation, say=str):
+    """Draw the marks over the embedded picture: SVG text, complete in one file; `say` as in `draw_text`."""
     height, width = annotation.pixels.shape[:2]
     unit = annotation.unit_px
     picture = base64.b64encode(encode_jpeg(annotation.pixels)).decode("ascii")
@@ -130,7 +130,7 @@ def annotation_svg(annotation):
     ]  # fmt: skip
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
-        f'aria-label="annotated photograph" font-family="DejaVu Sans,Arial,sans-serif">{"".join(parts)}</svg>'
+        f'aria-label="{escape(say("annotated photograph"))}" font-family="DejaVu Sans,Arial,sans-serif">{"".join(parts)}</svg>'
     )
 
 

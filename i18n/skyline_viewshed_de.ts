@@ -45,6 +45,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Oriented photos</source>
         <translation>Orientierte Fotos</translation>
@@ -1939,12 +1940,6 @@
     <message>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Anzahl der angenommenen Fotos</translation>
     </message>
@@ -1957,6 +1952,11 @@
         <location filename="../algorithms/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>
@@ -3466,6 +3466,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
+    </message>
+    <message>
+        <location filename="../core/annotate.py"/>
+        <source>annotated photograph</source>
+        <translation>beschriftetes Foto</translation>
     </message>
     <message>
         <location filename="../core/draw_text.py"/>

@@ -45,6 +45,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Oriented photos</source>
         <translation>Fotos orientadas</translation>
@@ -1939,12 +1940,6 @@
     <message>
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Número de fotos aceptadas</translation>
     </message>
@@ -1957,6 +1952,11 @@
         <location filename="../algorithms/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>
@@ -3466,6 +3466,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
+    </message>
+    <message>
+        <location filename="../core/annotate.py"/>
+        <source>annotated photograph</source>
+        <translation>fotografía rotulada</translation>
     </message>
     <message>
         <location filename="../core/draw_text.py"/>
