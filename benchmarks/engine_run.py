@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import sys
 
-import numpy as np
 from skyline_viewshed.core.io.crs import to_wgs84
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.terrain import Observer
@@ -22,7 +21,10 @@ def horizon(dem, observer, radius_m, output):
     options = HorizonOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
     profile = horizon_profile(dem, observer, options)
     columns = profile.azimuth_deg, profile.elevation_deg, profile.distance_m, profile.clipped
-    np.savetxt(output, np.column_stack(columns), "%.4f", ",")
+    with open(output, "w", encoding="ascii") as file:
+        file.writelines(
+            "{:.4f},{:.4f},{:.4f},{:d}\n".format(*row) for row in zip(*(column.tolist() for column in columns))
+        )
 
 
 def ground(dem, observer, radius_m, output, wedge, packed):

@@ -124,7 +124,12 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
 
     window = aligned(_window(rays, terrain.shape), block, terrain.shape)
     terrain = HeldTerrain(terrain, window, frame.row_px, options.memory_mb)
-    blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7))
+    margin_px = 3 * block
+
+    def columns(first_row, last_row):
+        return rays.columns(first_row, last_row, margin_px)
+
+    blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7), columns)
     sight = Sight(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
     search = Search(terrain, sight, blocks, summit_m, window if terrain.whole else None)

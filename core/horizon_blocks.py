@@ -58,7 +58,7 @@ def aligned(window, block, shape):
     return Window(row, col, window.row + window.rows - row, window.col + window.cols - col).clipped(shape)
 
 
-def block_maxima(terrain, window, block, progress=SILENT):
+def block_maxima(terrain, window, block, progress=SILENT, columns=None):
     """Read a window in strips and keep the maximum of every block.
 
     Parameters
@@ -69,6 +69,9 @@ def block_maxima(terrain, window, block, progress=SILENT):
     block : int
         Side of a block, a power of two that divides `STRIP_ROWS` [cells].
     progress : Progress
+    columns : callable or None
+        (first row, last row) -> first and last column that matter there, or None for all. Blocks that lie wholly
+        beside them are not read: nothing is known of them.
 
     Returns
     -------
@@ -81,19 +84,31 @@ def block_maxima(terrain, window, block, progress=SILENT):
     while row < stop:
         checkpoint(progress, (row - window.row) / window.rows)
         end = min(stop, (row // STRIP_ROWS + 1) * STRIP_ROWS)
-        strip = terrain.read(Window(row, window.col, end - row, window.cols))
-        place = slice((row - window.row) // block, -(-(end - window.row) // block))
-        maxima = _maxima_of(strip, block)
-        unknown = np.isnan(maxima)
-        if unknown.any():
-            maxima = _maxima_of(np.where(np.isnan(strip), np.float32(-np.inf), strip), block)
-            has_void[place], all_void[place] = unknown, np.isneginf(maxima)
-        highest[place] = maxima
+        left, right = _block_columns(None if columns is None else columns(row, end - 1), window, block)
+        if left < right:
+            cols = min(right * block, window.cols) - left * block
+            strip = terrain.read(Window(row, window.col + left * block, end - row, cols))
+            place = slice((row - window.row) // block, -(-(end - window.row) // block)), slice(left, right)
+            maxima = _maxima_of(strip, block)
+            unknown = np.isnan(maxima)
+            if unknown.any():
+                maxima = _maxima_of(np.where(np.isnan(strip), np.float32(-np.inf), strip), block)
+                has_void[place], all_void[place] = unknown, np.isneginf(maxima)
+            highest[place] = maxima
         row = end
     summit = float(highest.max()) if highest.size else -np.inf
     if has_void.any():
         has_void = _with_neighbours(has_void)
     return BlockMaxima(window, block, _with_neighbours(highest), has_void, all_void, summit)
+
+
+def _block_columns(columns, window, block):
+    """First and last but one column of blocks that hold the given columns of cells."""
+    count = -(-window.cols // block)
+    if columns is None:
+        return 0, count
+    first, last = ((column - window.col) // block for column in columns)
+    return min(max(first, 0), count), min(max(last + 1, 0), count)
 
 
 def _maxima_of(strip, block):
@@ -145,7 +160,8 @@ class HeldTerrain:
             first = max(min(first, -(-end // STRIP_ROWS) * STRIP_ROWS - count), window.row)
         self._kept = Window(first, window.col, min(count, end - first), window.cols)
         self._cells = np.empty((self._kept.rows, self._kept.cols), np.float32)
-        self._known = np.zeros(self._kept.rows, bool)
+        # Columns known of each row, from the first up to the last but one; none yet.
+        self._first, self._last = np.full(self._kept.rows, self._kept.cols), np.zeros(self._kept.rows, int)
 
     def read(self, window):
         """See `Terrain.read`; may be a view, not to be written to."""
@@ -154,8 +170,7 @@ class HeldTerrain:
         rows, cols = slice(row, row + window.rows), slice(col, col + window.cols)
         if row < 0 or col < 0 or rows.stop > kept.rows or cols.stop > kept.cols:
             return self._terrain.read(window)
-        if not self._known[rows].all():
-            whole_rows = Window(window.row, kept.col, window.rows, kept.cols)
-            self._cells[rows] = self._terrain.read(whole_rows)
-            self._known[rows] = True
+        if self._first[rows].max(initial=0) > cols.start or self._last[rows].min(initial=kept.cols) < cols.stop:
+            self._cells[rows, cols] = self._terrain.read(window)
+            self._first[rows], self._last[rows] = cols.start, cols.stop
         return self._cells[rows, cols]

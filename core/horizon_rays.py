@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -11,6 +12,9 @@ NODES = 9, 65
 
 BEND_PX = 0.002
 """So far a ray may run from its true way between two nodes, where the most nodes do not take it farther [cells]."""
+
+OUTLINE_RAYS = 360
+"""So many rays outline what they cover."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +56,24 @@ class Rays:
         return tuple(
             table[ray, low] * (1 - share) + table[ray, low + 1] * share for table in (self.col_px, self.row_px)
         )
+
+    def columns(self, first_row, last_row, margin_px):
+        """First and last column that rays touch between two rows, with a margin all around; None where too few tell.
+
+        Rays lie around the observer like the ribs of a fan, so that their ends, close together, outline what they
+        cover; between two of them lies no more than their distance.
+        """
+        col, row = self._ends
+        if len(col) < OUTLINE_RAYS:
+            return None
+        gap = np.hypot(np.diff(col, append=col[0]), np.diff(row, append=row[0])).max() + margin_px
+        near = (row >= first_row - gap) & (row <= last_row + gap)
+        found = np.append(col[near], self.col_px[0, 0])
+        return int(np.floor(found.min() - gap)), int(np.ceil(found.max() + gap))
+
+    @cached_property
+    def _ends(self):
+        return self.at_pairs(np.arange(len(self.reach_m)), self.reach_m)
 
     @property
     def pixels_per_metre(self):

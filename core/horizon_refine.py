@@ -130,7 +130,7 @@ def _shares(sight, col0, row0, col1, row1):
     for first, last in ((col0, col1), (row0, row1)):
         first, last = first * sight.lines_per_cell, last * sight.lines_per_cell
         lowest = np.ceil(np.minimum(first, last))
-        count = int((np.maximum(first, last) - lowest).max(initial=0.0)) + 2
+        count = int((np.maximum(first, last) - lowest).max(initial=0.0)) + 1
         with np.errstate(divide="ignore", invalid="ignore"):
             share = ((lowest - first)[:, None] + np.arange(count)) / (last - first)[:, None]
         shares.append(np.fmin(np.fmax(share, 0.0), 1.0))  # no crossing: NaN becomes 0

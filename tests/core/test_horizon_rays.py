@@ -43,3 +43,20 @@ def test_an_observer_on_the_corner_has_no_reach_outwards():
     rays = lay_rays(frame(col=-0.5, row=-0.5), (50, 50), np.array([135.0, 315.0]), 5_000.0)
     assert rays.reach_m[0] > 600
     assert rays.reach_m[1] == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("bend", [0.0, 2e-5])
+@pytest.mark.parametrize(("row", "col"), [(500.0, 500.0), (3.0, 980.0)])
+def test_columns_hold_all_that_rays_touch_between_two_rows(bend, row, col):
+    rays = lay_rays(frame(col, row, bend=bend), (1000, 1000), np.arange(0, 360, 0.5), 3_500.0)
+    touched_col, touched_row = rays.at(np.linspace(0, 3_500.0, 701))
+    reached = np.linspace(0, 3_500.0, 701) <= rays.reach_m[:, None]
+    spared = 0
+    for first in range(0, 1000, 50):
+        left, right = rays.columns(first, first + 49, 4)
+        between = reached & (touched_row >= first) & (touched_row <= first + 49)
+        if between.any():
+            assert left <= touched_col[between].min() - 4 and right >= touched_col[between].max() + 4
+            spared += 1000 - (right - left)
+    assert spared > 1000
+    assert lay_rays(frame(), (61, 101), np.arange(0, 360, 45.0), 5_000.0).columns(0, 10, 4) is None
