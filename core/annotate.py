@@ -130,7 +130,8 @@ def annotation_svg(annotation, say=str):
     ]  # fmt: skip
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img" '
-        f'aria-label="{escape(say("annotated photograph"))}" font-family="DejaVu Sans,Arial,sans-serif">{"".join(parts)}</svg>'
+        f'aria-label="{escape(say("annotated photograph"))}" font-family="DejaVu Sans,Arial,sans-serif">'
+        f"{''.join(parts)}</svg>"
     )
 
 
