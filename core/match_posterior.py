@@ -8,6 +8,7 @@ import numpy as np
 
 from .angles import difference, wrap_360
 from .match_calibration import table
+from .match_prior import log_ratio
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,20 @@ def answer_probabilities(finding, best_probability):
     others = likelihood[1:].sum()
     share = (1 - best_probability) * likelihood[1:] / (others + 1.0) if others > 0 else np.zeros(0)
     return np.concatenate([[best_probability], share])
+
+
+def weigh(probability, heading_deg, prior):
+    """Join what the picture says with a belief about the heading (Bayes).
+
+    Parameters
+    ----------
+    probability : (K,) array
+        Of the answers, from the picture alone; what is missing to 1 is 'none of them', spread over the circle.
+    heading_deg : (K,) array
+    prior : prior.HeadingPrior or None
+    """
+    weighted = probability * np.exp(log_ratio(prior, heading_deg))
+    return weighted / (weighted.sum() + max(1 - probability.sum(), 0.0))
 
 
 def interval(finding, probability, mass=0.9, step_deg=0.05):

@@ -12,29 +12,23 @@ import numpy as np
 
 from .angles import wrap_360
 from .camera import Pose
-from .match_calibration import p_correct, table
+from .match_calibration import table
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
-from .match_finding import Finding, examine
+from .match_finding import examine
 from .match_geometry import HorizonCurve, horizon_rows
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
+from .match_judge import Answers, judge
 from .match_paper import correlation, sharpness
-from .match_posterior import PosteriorOptions, answer_probabilities, interval, verdict
+from .match_posterior import PosteriorOptions, interval, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
 from .match_ridges import RidgeEvidence, RidgeMatchOptions
-from .match_search import CoarseResult, SearchOptions, coarse_search
+from .match_search import SearchOptions, coarse_search
 from .model import Candidate, Orientation
 from .progress import SILENT, subtask
 
 LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
-
-
-LANDMARK_LIMIT = 3.0
-"""Standard deviations within which a landmark counts as met."""
-
-LANDMARK_PROBABILITY = 0.95
-"""Least p_correct of an answer that meets every landmark: a person's word, slips of the hand set aside."""
 
 
 @dataclass(frozen=True)
@@ -106,11 +100,8 @@ def match_robust(
     answers = find_answers(
         evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress
     )
+    answers, probability = judge(answers, heading_prior)
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
-    best_probability = p_correct(finding)
-    if _landmarks_met(answers):
-        best_probability = max(best_probability, LANDMARK_PROBABILITY)
-    probability = answer_probabilities(finding, best_probability)
     status, message = verdict(finding, probability, options.posterior, bool(landmarks))
     # Of an accepted answer the interval tells how exact it is; how sure it is, p_correct tells.
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
@@ -127,7 +118,7 @@ def match_robust(
         candidates,
         heading_lo_deg=lo,
         heading_hi_deg=hi,
-        p_correct=best_probability,
+        p_correct=float(probability[0]),
         curve_heading_deg=answers.coarse.heading_deg,
         curve_score=answers.coarse.score.astype(float),
         ncc=ncc,
@@ -136,12 +127,6 @@ def match_robust(
         residual_px=residual,
         notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose) + _edge_notes(answers),
     )
-
-
-def _landmarks_met(answers):
-    """Whether there are landmarks and the best answer meets all of them."""
-    miss = answers.objective.landmark_residual(answers.trials[:1])
-    return miss.size > 0 and bool((np.abs(miss) < LANDMARK_LIMIT).all())
 
 
 def _edge_notes(answers):
@@ -171,25 +156,6 @@ def _refusal(evidence, horizon, landmarks):
     return None
 
 
-@dataclass(frozen=True, eq=False)
-class Answers:
-    """Distinct answers before they are judged.
-
-    Attributes
-    ----------
-    objective : Objective
-    coarse : CoarseResult
-    trials : (K, 5) array
-        See `match_geometry.PARAMETERS`; best first.
-    finding : Finding
-    """
-
-    objective: Objective
-    coarse: CoarseResult
-    trials: np.ndarray
-    finding: Finding
-
-
 def find_answers(
     evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress=SILENT
 ):
@@ -217,36 +183,42 @@ def find_answers(
         error = options.refine.terrain_error_cells
         crests = RidgeEvidence(evidence.ridge_score, ridges, horizon.cell_m, error, options.ridges)
 
-    def bonus(trials):
-        return _bonus(objective, trials, heading_prior, crests, options)
-
-    trials, score = _fit(objective, starts, bonus, options, subtask(progress, 0.4, 1.0))
-    finding = examine(objective, trials, score, evidence.probability, position_error_m, options.heading_floor_deg)
-    return Answers(objective, coarse, trials, finding)
+    trials, score = _fit(objective, starts, crests, heading_prior, options, subtask(progress, 0.4, 1.0))
+    look = partial(
+        examine,
+        objective,
+        probability=evidence.probability,
+        position_error_m=position_error_m,
+        floor_deg=options.heading_floor_deg,
+    )
+    return Answers(objective, coarse, trials, look(trials, score), look)
 
 
 def _belief(heading_prior, heading_deg):
-    """What the prior adds to the scores: its log ratio, at the calibrated worth of a unit of score."""
+    """What the prior adds to a score when candidates are chosen: its log ratio, at the worth of a unit of score."""
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
 
 
-def _bonus(objective, trials, heading_prior, crests, options):
-    """What speaks for a trial beside the skyline: the belief in its heading, and inner crests."""
-    bonus = _belief(heading_prior, trials[:, 0])
-    if crests is not None:
-        rows, _ = objective.rows(trials, np.arange(objective.stack.shape[1]))
-        bonus = bonus + crests.score(objective.camera, trials, rows)
-    return bonus
+def _crest_score(objective, trials, crests):
+    """What the crests inside the terrain add to the score of each trial."""
+    if crests is None:
+        return 0.0
+    rows, _ = objective.rows(trials, np.arange(objective.stack.shape[1]))
+    return crests.score(objective.camera, trials, rows)
 
 
-def _fit(objective, starts, bonus, options, progress):
-    """Short fits of all candidates, full fits of the best distinct ones; returns distinct trials and scores."""
+def _fit(objective, starts, crests, heading_prior, options, progress):
+    """Short fits of all candidates, full fits of the best distinct ones; distinct trials and scores, best first.
+
+    The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
+    """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
-    kept = distinct(trials[:, 0], score + bonus(trials), options.same_answer_deg)[: options.full_fits]
+    score = score + _crest_score(objective, trials, crests) + _belief(heading_prior, trials[:, 0])
+    kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
     best, best_score = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
-    best_score = best_score + bonus(best)
+    best_score = best_score + _crest_score(objective, best, crests)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept]

@@ -4,7 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.match_calibration import features, p_correct, table
 from skyline_viewshed.core.match_finding import Finding, relief_px
-from skyline_viewshed.core.match_posterior import answer_probabilities, interval, verdict
+from skyline_viewshed.core.match_posterior import answer_probabilities, interval, verdict, weigh
+from skyline_viewshed.core.prior import HeadingPrior
 
 
 def finding(heading=(100.0, 250.0), score=(4.5, 3.0), sigma=(0.3, 0.3), relief=1.2, residual=1.0, hfov=45.0):
@@ -86,3 +87,18 @@ def test_relief_is_counted_about_a_straight_line():
     columns = np.arange(100)
     assert relief_px(columns, 3 + 0.5 * columns) == pytest.approx(0, abs=1e-9)
     assert relief_px(columns, 5 * np.sin(columns)) == pytest.approx(5 / np.sqrt(2), rel=0.05)
+
+
+def test_a_belief_is_joined_by_the_rule_of_bayes():
+    """Against the rule written out: Gaussian core and uniform share, 'none of them' uniform over the circle."""
+    prior = HeadingPrior(100.0, 10.0, outlier_share=0.2, faults=())
+    density = 0.2 + 0.8 * 360 / (np.sqrt(2 * np.pi) * 10) * np.exp(-0.5 * (np.array([0.0, 150.0]) / 10) ** 2)
+    joint = np.array([0.3, 0.6]) * density
+    found = weigh(np.array([0.3, 0.6]), np.array([100.0, 250.0]), prior)
+    assert found == pytest.approx(joint / (joint.sum() + 0.1))
+    assert found[0] > 0.8
+
+
+def test_no_belief_changes_nothing():
+    probability = np.array([0.3, 0.6])
+    assert weigh(probability, np.array([100.0, 250.0]), None) == pytest.approx(probability)
