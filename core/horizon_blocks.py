@@ -160,17 +160,33 @@ class HeldTerrain:
             first = max(min(first, -(-end // STRIP_ROWS) * STRIP_ROWS - count), window.row)
         self._kept = Window(first, window.col, min(count, end - first), window.cols)
         self._cells = np.empty((self._kept.rows, self._kept.cols), np.float32)
+        self._scratch = np.empty(0 if self.whole else STRIP_ROWS * window.cols, np.float32)
         # Columns known of each row, from the first up to the last but one; none yet.
         self._first, self._last = np.full(self._kept.rows, self._kept.cols), np.zeros(self._kept.rows, int)
 
     def read(self, window):
-        """See `Terrain.read`; may be a view, not to be written to."""
+        """See `Terrain.read`; holds until the next reading, and is not to be written to."""
         kept = self._kept
         row, col = window.row - kept.row, window.col - kept.col
         rows, cols = slice(row, row + window.rows), slice(col, col + window.cols)
         if row < 0 or col < 0 or rows.stop > kept.rows or cols.stop > kept.cols:
-            return self._terrain.read(window)
+            return self._read_once(window)
         if self._first[rows].max(initial=0) > cols.start or self._last[rows].min(initial=kept.cols) < cols.stop:
-            self._cells[rows, cols] = self._terrain.read(window)
+            self._read_into(window, self._cells[rows, cols])
             self._first[rows], self._last[rows] = cols.start, cols.stop
         return self._cells[rows, cols]
+
+    def _read_once(self, window):
+        size = window.rows * window.cols
+        if size > len(self._scratch):
+            return self._terrain.read(window)
+        cells = self._scratch[:size].reshape(window.rows, window.cols)
+        self._read_into(window, cells)
+        return cells
+
+    def _read_into(self, window, out):
+        """New memory costs more than the cells that come into it, so it is used again where the terrain lets us."""
+        if hasattr(self._terrain, "read_into"):
+            self._terrain.read_into(window, out)
+        else:
+            out[...] = self._terrain.read(window)

@@ -103,7 +103,7 @@ def read_pieces(terrain, row_px, col_px, margin_px):
     ------
     jobs : int array
     pieces : Pieces
-        Of these jobs, in their order.
+        Of these jobs, in their order; hold until the next are asked for.
     """
     if len(row_px) == 0:
         return
@@ -116,6 +116,7 @@ def read_pieces(terrain, row_px, col_px, margin_px):
     windows = _windows(row_px[order], col_px[order], starts, margin_px, terrain.shape)
     ends = np.append(starts[1:], len(order))
     size = [window.rows * window.cols for window in windows]
+    buffer = np.empty(max(min(sum(size), HELD_CELLS), max(size)), np.float32)  # used again: new memory is dear
     first = 0
     while first < len(windows):
         last, total = first + 1, size[first]
@@ -123,7 +124,7 @@ def read_pieces(terrain, row_px, col_px, margin_px):
             total += size[last]
             last += 1
         count = ends[first:last] - starts[first:last]
-        yield order[starts[first] : ends[last - 1]], _read(terrain, windows[first:last], count, total)
+        yield order[starts[first] : ends[last - 1]], _read(terrain, windows[first:last], count, buffer[:total])
         first = last
 
 
@@ -135,8 +136,8 @@ def _windows(row_px, col_px, starts, margin_px, shape):
     return [Window(int(a) - 1, int(b) - 1, int(c - a) + 3, int(d - b) + 3).clipped(shape) for a, b, c, d in edges]
 
 
-def _read(terrain, windows, count, total):
-    cells, corners, corner = np.empty(total, np.float32), [], 0
+def _read(terrain, windows, count, cells):
+    corners, corner = [], 0
     for window in windows:
         size = window.rows * window.cols
         cells[corner : corner + size] = terrain.read(window).reshape(-1)

@@ -133,15 +133,19 @@ class Dem:
 
     def read(self, window):
         """See `Terrain.read`: float32 metres of the window, NaN for nodata, implausible values and void zeros."""
+        out = np.empty((window.rows, window.cols), np.float32)
+        self.read_into(window, out)
+        return out
+
+    def read_into(self, window, out):
+        """Read a window into a (rows, cols) float32 array, which need not be contiguous: memory in use is cheaper."""
         if window.clipped(self.shape) != window:
             raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
-        out = np.empty((window.rows, window.cols), np.float32)
         strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)
         with small_cache(self._row_of_blocks(window.cols)):
             for start in range(0, window.rows if window.cols else 0, strip_rows):
                 strip = out[start : start + strip_rows]
                 self._read_strip(window.col, window.row + start, strip)
-        return out
 
     def _row_of_blocks(self, cols):
         """Bytes in GDAL's cache of one row of blocks across a window."""
