@@ -76,6 +76,10 @@ bench-skyline: setup ## Skylines against masks: DATA=folder
 bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes: [COUNT=240] [SEED=1] [JOBS=1]
 	@$(PYTHON) benchmarks/bench_simulated.py --count $(or $(COUNT),240) --seed $(or $(SEED),1) --jobs $(or $(JOBS),1)
 
+.PHONY: bench-views
+bench-views: setup ## Headings of views cut from real photographs: DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]
+	@$(PYTHON) benchmarks/bench_views.py "$(DATA)" --count $(or $(COUNT),6) --seed $(or $(SEED),1) --compass $(COMPASS)
+
 .PHONY: bench-monoplot
 bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
 	@$(PYTHON) benchmarks/bench_monoplot.py --scenes $(or $(SCENES),60)
