@@ -1,8 +1,10 @@
 from pathlib import Path
 
+import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsFeature, QgsProcessingException, QgsVectorLayer
+from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsVectorLayer
+from skyline_viewshed.core.io.raster import open_dem
 
 
 @pytest.fixture(scope="session")
@@ -72,7 +74,6 @@ def test_one_run_gives_points_polygons_raster_and_report(solved):
 
 
 def test_each_viewshed_has_its_figure_in_folder_and_report(solved):
-    import numpy as np
     from PIL import Image
 
     out, results = solved
@@ -211,3 +212,85 @@ def test_cancelling_leaves_nothing(run, scene, listener, tmp_path):
     with pytest.raises(QgsProcessingException, match="Cancelled"):
         run("photoviewshed", parameters, listener(cancel_at=55))
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture(scope="session")
+def with_extras(provider, scene, tmp_path_factory):
+    """The pipeline with every extra, once; and the same photographs step by step."""
+    import processing
+
+    out = tmp_path_factory.mktemp("extras")
+    ranges = {"DEM": str(scene.dem), "MAX_DISTANCE": 6_000}
+    folders = {name: str(out / "one" / name) for name in ("LAYERS", "PROBABILITIES", "RASTERS")}
+    whole = processing.run(
+        "skylineviewshed:photoviewshed",
+        {
+            **ranges,
+            **folders,
+            "FOLDER": str(scene.folder),
+            "OWN_SKYLINE": True,
+            "MIN_AREA": 12_000.0,
+            "OUTPUT": str(out / "points.gpkg"),
+            "POLYGONS": str(out / "polygons.gpkg"),
+            "VIEWSHED": str(out / "viewshed.tif"),
+        },
+    )
+    skylines = processing.run(
+        "skylineviewshed:extractskyline", {"INPUT": str(out / "points.gpkg"), "OUTPUT": str(out / "skylines.gpkg")}
+    )
+    steps = processing.run(
+        "skylineviewshed:directedviewshed",
+        {
+            **ranges,
+            "INPUT": str(out / "points.gpkg"),
+            "HEIGHT_FIELD": "eye_z",
+            "SKYLINES": skylines["OUTPUT"],
+            "MIN_AREA": 12_000.0,
+            "OUTPUT": str(out / "directed.tif"),
+            "POLYGONS": str(out / "directed.gpkg"),
+            **{name: folder.replace("one", "two") for name, folder in folders.items()},
+        },
+    )
+    return out, whole, steps
+
+
+def test_extras_are_those_of_the_single_steps(with_extras):
+    out, whole, steps = with_extras
+    assert {"LAYERS", "PROBABILITIES", "RASTERS"} <= set(whole) and whole["VIEWSHEDS"] == steps["COUNT"] == 2
+    ours, theirs = (gdal.Open(str(out / name)).ReadAsArray() for name in ("viewshed.tif", "directed.tif"))
+    assert (ours != theirs).sum() <= 0.01 * (ours == 1).sum()  # pixels of 4,000 there, of the photo here
+    for name in ("north", "west"):
+        layers = gdal.Open(str(out / "one" / "LAYERS" / f"{name}.tif"))
+        column, row = layers.ReadAsArray()[3:]
+        assert 790 < np.nanmax(column) < 800 and np.nanmin(column) < 10 and np.nanmax(row) < 600
+        chance = gdal.Open(str(out / "one" / "PROBABILITIES" / f"{name}.tif")).ReadAsArray()
+        assert np.nanmax(chance) > 0.9 and (chance[chance > 0] < 1).any()
+    for path in ("polygons.gpkg", "directed.gpkg"):
+        for feature in QgsVectorLayer(str(out / path)).getFeatures():
+            assert 0.2 < feature["terr_share"] < 0.8
+            assert 0 < feature["p90_m2"] < feature["p50_m2"]
+            assert min(part.area() for part in feature.geometry().asGeometryCollection()) > 9_000
+
+
+def test_the_own_skyline_hides_ground_only_where_it_stands_before_it(solved, with_extras, scene):
+    """The scene's photographs have no foreground: their skylines are the DEM's, and cut off next to nothing."""
+    free, limited = (gdal.Open(str(out / "viewshed.tif")).ReadAsArray() for out in (solved[0], with_extras[0]))
+    row, col = np.nonzero(limited == 1)  # the range is shorter there, and the rays denser
+    assert len(row) > 100 and (free[row, col] > 0).mean() > 0.99
+    polygons = {}
+    for out in (solved[0], with_extras[0]):
+        layer = QgsVectorLayer(str(out / "polygons.gpkg"))
+        polygons[out] = {Path(f["photo"]).name: f for f in layer.getFeatures()}
+    dem = open_dem(str(scene.dem))
+    for name in ("north", "west"):
+        place = dem.frame(*scene.positions[name], 20_000.0)
+        seen = gdal.Open(str(with_extras[0] / "one" / "RASTERS" / f"{name}.tif"))
+        kept = (seen.ReadAsArray() == 1).sum()
+        geometry = polygons[solved[0]][f"{name}.jpg"].geometry()
+        disc = QgsGeometry.fromPointXY(QgsPointXY(*to_plane(place, dem))).buffer(6_000, 90)
+        assert kept * 75.0**2 > 0.9 * geometry.intersection(disc).area()
+
+
+def to_plane(frame, dem):
+    x0, dx, _, y0, _, dy = dem.geotransform
+    return x0 + (frame.col_px + 0.5) * dx, y0 + (frame.row_px + 0.5) * dy

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from osgeo import gdal
+from osgeo import gdal, osr
 from qgis.core import QgsDistanceArea, QgsFeature, QgsGeometry, QgsPointXY, QgsVectorLayer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.terrain import Window
@@ -299,3 +299,29 @@ def test_extras_of_too_large_a_window_are_refused_in_words(call, points, tmp_pat
     for results in (packed, again):
         np.testing.assert_array_equal(raster(results["OUTPUT"])[0], raster(plain["OUTPUT"])[0])
         assert rows_of(results)["a.jpg"].attributes() == rows_of(plain)["a.jpg"].attributes()
+
+
+def test_a_dem_across_180_degrees_is_one_piece(run, tmp_path):
+    """Points of both signs of longitude see both sides; the count and the polygons lie where the DEM does."""
+    cells = np.full((120, 120), 100.0, np.float32)
+    dataset = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "dem.tif"), 120, 120, 1, gdal.GDT_Float32)
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(4326)
+    dataset.SetProjection(reference.ExportToWkt())
+    dataset.SetGeoTransform((179.94, 0.001, 0, 10.06, 0, -0.001))
+    dataset.GetRasterBand(1).WriteArray(cells)
+    dataset = None
+    layer = QgsVectorLayer("Point?crs=EPSG:4326&field=photo:string&field=heading:double", "points", "memory")
+    for longitude in (-179.9995, 179.9995):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(longitude, 10.0)))
+        feature.setAttributes([f"{longitude}.jpg", 0.0])
+        layer.dataProvider().addFeature(feature)
+    given = {"INPUT": layer, "DEM": str(tmp_path / "dem.tif"), "OUTPUT": str(tmp_path / "v.tif"), "SECTOR": 2}
+    results, _ = run("directedviewshed", {**given, "POLYGONS": "memory:", "MAX_DISTANCE": 4000, "EYE_HEIGHT": 500})
+    count = gdal.Open(results["OUTPUT"]).ReadAsArray()
+    assert results["COUNT"] == 2 and (count[:, :60] == 2).sum() > 500 and (count[:, 60:] == 2).sum() > 500
+    for row in results["POLYGONS"].getFeatures():
+        box = row.geometry().boundingBox()
+        assert 179.94 <= box.xMinimum() < 180 < box.xMaximum() <= 180.06
+        assert row["area_m2"] == pytest.approx(np.pi * 4000**2, rel=0.02)
