@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 import csv
-import importlib.util
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scripts import script
 from skyline_viewshed.core.camera import Camera, Pose, project
 from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.mountains import MountainOptions
 from skyline_viewshed.core.terrain import Observer, Window, bilinear, eye_elevation_m
-
-ROOT = Path(__file__).resolve().parent.parent
-
-
-def script(path):
-    """Import a script of the repository by its path."""
-    spec = importlib.util.spec_from_file_location(Path(path).stem, ROOT / path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
 
 
 def table_of(path):
