@@ -64,7 +64,7 @@ class Viewer:
 
     def __init__(self, dem, kind, eye_height_m, options, feedback, folder=""):
         self.dem, self.kind, self.eye_height_m, self.options = dem, kind, eye_height_m, options
-        self.feedback, self.folder, self._names = feedback, folder, set()
+        self.feedback, self.folder, self._stems, self._taken_stems = feedback, folder, {}, set()
 
     def each(self, sights, share=(0.0, 1.0)):
         """Yield (sight, viewshed), each whole before the next; photos from one place come together."""
@@ -99,6 +99,15 @@ class Viewer:
 
         return Observer(sight.longitude_deg, sight.latitude_deg, self.eye_height_m, sight.eye_elevation_m)
 
+    def file_of(self, sight, folder):
+        """Path of a photo's own GeoTIFF in a folder, which is made; of the same name in each folder."""
+        if sight.key not in self._stems:
+            self._stems[sight.key] = file_stem(sight, self._taken_stems)
+            self._taken_stems.add(self._stems[sight.key].lower())
+        path = str(Path(folder) / f"{self._stems[sight.key]}.tif")
+        make_folder_of(path)
+        return path
+
     def _job(self, sight):
         from ..core.io.viewshed_raster import fingerprint
 
@@ -111,9 +120,8 @@ class Viewer:
         observer = self.observer_of(sight)
         if not self.folder:
             return Job(sight, observer, sector)
-        path = Path(self.folder) / f"{file_stem(sight, self._names)}.tif"
-        make_folder_of(str(path))
-        return Job(sight, observer, sector, str(path), fingerprint(self.dem, observer, sector, self.options))
+        path = self.file_of(sight, self.folder)
+        return Job(sight, observer, sector, path, fingerprint(self.dem, observer, sector, self.options))
 
     def _work(self, jobs, progress):
         """Yield the viewshed of each of one place's jobs, or warn and yield None."""
@@ -191,6 +199,6 @@ def stations(sights):
 
 
 def file_stem(sight, taken):
-    """Unique name for a photo's own raster; `taken` remembers the names in use."""
+    """Name for a photo's own raster that is not yet taken."""
     stem = Path(sight.photo).stem if sight.photo else f"point_{sight.source_id}"
     return unused(stem, taken)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from ..core.errors import PhotoError
 from ..core.progress import SILENT
@@ -11,12 +10,10 @@ from . import parameters as shared
 from .feedback import warn
 from .fields import FieldSpec
 from .i18n import tr
-from .outputs import make_folder_of
-from .viewer import file_stem
 from .visibility import view_of
 
-LAYER_CELLS = 150_000_000
-"""Layers and probabilities of larger windows would take more memory than we promise: a gigabyte."""
+LAYER_CELLS = 80_000_000
+"""Layers and probabilities of larger windows would take more memory than we promise: ten bytes per cell, a gigabyte."""
 
 HORIZON_STEP_DEG = 0.25
 LEVELS = {"p90_m2": 0.9, "p50_m2": 0.5}
@@ -137,7 +134,7 @@ class Extras:
 
     def __init__(self, viewer, options, feedback):
         self.viewer, self.dem, self.options, self.feedback = viewer, viewer.dem, options, feedback
-        self._names, self._horizons = {"layers": set(), "probabilities": set()}, {}
+        self._horizons = {}
 
     @property
     def folders(self):
@@ -168,18 +165,13 @@ class Extras:
             values.update(self._write_probabilities(sight, seen, progress))
         return values
 
-    def _place(self, folder, kind, sight):
-        path = Path(folder) / f"{file_stem(sight, self._names[kind])}.tif"
-        make_folder_of(str(path))
-        return str(path)
-
     def _write_layers(self, sight, seen, progress):
         from ..core.io.viewshed_raster import fingerprint, stored_facts, write_layers
         from ..core.viewshed_layers import LAYERS, clearance, sector_layers
 
         camera, pose = view_of(sight)
         observer = self.viewer.observer_of(sight)
-        path = self._place(self.options.layers, "layers", sight)
+        path = self.viewer.file_of(sight, self.options.layers)
         mark = fingerprint(self.dem, observer, seen.sector, seen.options, "layers", camera, pose)
         if stored_facts(path, mark) is not None:
             self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
@@ -221,7 +213,7 @@ class Extras:
             return {}
         camera, pose = seen.sector.camera, seen.sector.pose
         observer, uncertainty = self.viewer.observer_of(sight), self._uncertainty(sight)
-        path = self._place(self.options.probabilities, "probabilities", sight)
+        path = self.viewer.file_of(sight, self.options.probabilities)
         mark = fingerprint(self.dem, observer, seen.sector, seen.options, "probabilities", uncertainty)
         stored = stored_facts(path, mark)
         if stored is not None:

@@ -30,7 +30,7 @@ class ViewshedOutputs:
         from ..core.viewshed_count import SeenCount
 
         self.dem, self.smallest_m2 = dem, smallest_m2
-        self.count, self.rows, self._sights = SeenCount(dem.shape), [], []
+        self.count, self.rows, self._keys = SeenCount(dem.shape), [], []
 
     def add(self, sight, viewshed, extras=None):
         """Take one photo's viewshed, and values of `extra_fields`; gives its facts in words, for the report."""
@@ -39,15 +39,15 @@ class ViewshedOutputs:
         ground = viewshed_polygons(viewshed, self.dem, self.smallest_m2)
         self.count.add(viewshed.window, viewshed.values)
         self.rows.append(polygon_row(sight, ground, extras or {}))
-        self._sights.append(sight)
+        self._keys.append(sight.key)
         far = tr("none") if ground.farthest_m is None else f"{ground.farthest_m / 1e3:.1f} km"
         return {tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²", tr("Farthest ground in view"): far}
 
     def arrange(self, sights):
         """Bring the polygons into the order of these sights."""
-        place = {id(sight): index for index, sight in enumerate(sights)}
-        order = sorted(range(len(self.rows)), key=lambda row: place[id(self._sights[row])])
-        self.rows, self._sights = [self.rows[row] for row in order], [self._sights[row] for row in order]
+        place = {sight.key: index for index, sight in enumerate(sights)}
+        order = sorted(range(len(self.rows)), key=lambda row: place[self._keys[row]])
+        self.rows, self._keys = [self.rows[row] for row in order], [self._keys[row] for row in order]
 
     def write_count(self, algorithm, parameters, name, context, feedback):
         """Write the raster of counts; gives its path, or None where it is not wanted."""

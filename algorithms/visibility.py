@@ -57,6 +57,11 @@ class Sight:
     skyline_row_px: Any = None
     skyline_tolerance_deg: float = 0.0
 
+    @property
+    def key(self):
+        """What tells it from all other sights of a run."""
+        return self.source_id, self.photo
+
 
 def add_range_parameters(algorithm, eye_height=True):
     """Declare heights, range and refraction of the viewshed."""

@@ -175,13 +175,18 @@ def _positions(observer, sigma_m):
 
 
 def _probability(clearance, dem_m):
-    """Probability that a cell stands above its line of sight; NaN stays, 0 (not asked) becomes 0."""
-    if dem_m == 0:
-        probability = np.where(np.isnan(clearance), np.float32(np.nan), (clearance > 0).astype(np.float32))
-    else:
-        probability = ndtr(np.clip(clearance / np.float32(dem_m), -9, 9)).astype(np.float32)
-    probability[clearance == 0] = 0.0
-    return probability
+    """Probability that a cell stands above its line of sight, in the clearance's own memory.
+
+    NaN stays, 0 (not asked) stays 0.
+    """
+    for first in range(0, len(clearance), TILE_ROWS):
+        strip = clearance[first : first + TILE_ROWS]
+        asked = strip != 0
+        if dem_m == 0:
+            strip[asked] = np.where(np.isnan(strip), strip, strip > 0)[asked]
+        else:
+            strip[asked] = ndtr(np.clip(strip[asked] / np.float32(dem_m), -9, 9))
+    return clearance
 
 
 def _accumulate(total, window, other, other_window):
