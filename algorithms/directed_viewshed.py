@@ -6,11 +6,9 @@ from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber
 
-from ..core.progress import subtask
 from . import parameters as shared
 from .base import DemAlgorithm
 from .elevation import dem_fault
-from .feedback import FeedbackProgress
 from .i18n import tr
 from .layers import number_column, points_fault, read_points
 from .result_figures import ResultFigures, figures_out, stations_of
@@ -22,9 +20,6 @@ from .visibility import Sight, add_range_parameters, range_fault, viewshed_optio
 
 POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
 NUMBER_FIELDS = (*POSE_FIELDS, "HEIGHT_FIELD", "HEADING_LO_FIELD", "HEADING_HI_FIELD")
-
-SHARE = 0.9
-"""Of the progress bar; writing has the rest."""
 
 
 class DirectedViewshed(DemAlgorithm):
@@ -158,10 +153,8 @@ class DirectedViewshed(DemAlgorithm):
         viewer = Viewer(dem, kind, eye_height_m, options, feedback, folders["RASTERS"])
         extras = Extras(viewer, extra_options(self, parameters, context), feedback)
         figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
-        for done, (sight, viewshed) in enumerate(viewer.each(sights, (0.0, SHARE)), start=1):
-            here = SHARE * done / len(sights)  # the extras move nothing, but can be cancelled
-            still = subtask(FeedbackProgress(feedback), here, here)
-            outputs.add(sight, viewshed, extras.of(sight, viewshed, progress=still))
+        for sight, viewshed in viewer.each(sights, (0.0, 0.9)):
+            outputs.add(sight, viewshed, extras.of(sight, viewshed))
             figures.draw(sight, viewshed)
         outputs.arrange(sights)
         results = {

@@ -24,6 +24,20 @@ class FeedbackProgress:
         return self.feedback.isCanceled()
 
 
+@dataclass(frozen=True)
+class StillProgress:
+    """Progress of work that has no share of the bar: moves nothing, but can be cancelled."""
+
+    feedback: Any
+
+    def report(self, fraction):
+        """Leave the bar where it is."""
+
+    def cancelled(self):
+        """Tell whether the user pressed Cancel."""
+        return self.feedback.isCanceled()
+
+
 def announce(feedback, name, index, count):
     """Say which photo or point the run is at."""
     feedback.setProgressText(tr("{name} ({number}/{count})").format(name=name, number=index + 1, count=count))

@@ -179,8 +179,7 @@ class PhotoViewshed(DemAlgorithm):
                 if viewshed is None:
                     report.add(oriented)
                     continue
-                here = SHARE[1] * len(statuses) / len(photos.rows)  # the extras move nothing, but can be cancelled
-                more = extras.of(sight, viewshed, oriented.horizon, subtask(FeedbackProgress(feedback), here, here))
+                more = extras.of(sight, viewshed, oriented.horizon)
                 facts, panels = ground.add(sight, viewshed, more), figures.draw(sight, viewshed, oriented.preview)
                 report.add(oriented, facts, panels)
             feedback.pushInfo(summary(statuses))

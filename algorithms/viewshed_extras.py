@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..core.errors import PhotoError
-from ..core.progress import SILENT
 from . import parameters as shared
-from .feedback import warn
+from .feedback import StillProgress, warn
 from .fields import FieldSpec
 from .i18n import tr
 from .visibility import view_of
@@ -134,7 +133,7 @@ class Extras:
 
     def __init__(self, viewer, options, feedback):
         self.viewer, self.dem, self.options, self.feedback = viewer, viewer.dem, options, feedback
-        self._horizons = {}
+        self._horizons, self._progress = {}, StillProgress(feedback)
 
     @property
     def folders(self):
@@ -142,7 +141,7 @@ class Extras:
         found = {"LAYERS": self.options.layers, "PROBABILITIES": self.options.probabilities}
         return {name: folder for name, folder in found.items() if folder}
 
-    def of(self, sight, seen, horizon=None, progress=SILENT):
+    def of(self, sight, seen, horizon=None):
         """Write what is wanted for one viewshed; gives values of `extra_fields` by name, those not known left out.
 
         Parameters
@@ -151,7 +150,6 @@ class Extras:
         seen : Viewshed or KeptViewshed
         horizon : HorizonProfile or None
             Around the sight, if it is there already.
-        progress : Progress
         """
         too_large = seen.window.rows * seen.window.cols > LAYER_CELLS
         if self.folders and too_large:
@@ -159,13 +157,13 @@ class Extras:
                       "maximum distance.")  # fmt: skip
             warn(self.feedback, sight.name, text.format(count=LAYER_CELLS // 1_000_000))
         if self.options.layers and not too_large:
-            self._write_layers(sight, seen, progress)
+            self._write_layers(sight, seen)
         values = self._terrain_share(sight, seen, horizon)
         if self.options.probabilities and not too_large:
-            values.update(self._write_probabilities(sight, seen, progress))
+            values.update(self._write_probabilities(sight, seen))
         return values
 
-    def _write_layers(self, sight, seen, progress):
+    def _write_layers(self, sight, seen):
         from ..core.io.viewshed_raster import fingerprint, stored_facts, write_layers
         from ..core.viewshed_layers import LAYERS, clearance, sector_layers
 
@@ -176,7 +174,7 @@ class Extras:
         if stored_facts(path, mark) is not None:
             self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
             return
-        lifted = clearance(self.dem, observer, seen.sector, seen.options, progress)
+        lifted = clearance(self.dem, observer, seen.sector, seen.options, self._progress)
         strips = sector_layers(self.dem, seen, lifted, camera, pose)
         bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
         write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
@@ -197,12 +195,13 @@ class Extras:
                     max_distance_m=range_.max_distance_m,
                     refraction_coefficient=range_.refraction_coefficient,
                 )
-                self._horizons = {observer: horizon_profile(self.dem, observer, options)}  # photos of a place follow
+                # Photos from one place follow one another.
+                self._horizons = {observer: horizon_profile(self.dem, observer, options, self._progress)}
             horizon = self._horizons[observer]
         share, _ = terrain_share(seen.sector.camera, seen.sector.pose, horizon)
         return {"terr_share": share}
 
-    def _write_probabilities(self, sight, seen, progress):
+    def _write_probabilities(self, sight, seen):
         from ..core.io.viewshed_raster import fingerprint, stored_facts, write_layers
         from ..core.viewshed_sector import PhotoFrame
         from ..core.visibility_probability import visibility_probability
@@ -220,7 +219,7 @@ class Extras:
             self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
             return {name: float(stored[name.upper()]) for name in LEVELS}
         try:
-            found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, progress)
+            found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, self._progress)
         except PhotoError as error:
             warn(self.feedback, sight.name, str(error))
             return {}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from osgeo import gdal, osr
-from qgis.core import QgsDistanceArea, QgsFeature, QgsGeometry, QgsPointXY, QgsVectorLayer
+from qgis.core import QgsDistanceArea, QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsVectorLayer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.terrain import Window
 
@@ -325,3 +325,20 @@ def test_a_dem_across_180_degrees_is_one_piece(run, tmp_path):
         box = row.geometry().boundingBox()
         assert 179.94 <= box.xMinimum() < 180 < box.xMaximum() <= 180.06
         assert row["area_m2"] == pytest.approx(np.pi * 4000**2, rel=0.02)
+
+
+def test_progress_only_grows_and_extras_can_be_cancelled(run, points, scene, listener, tmp_path):
+    layer = points(("west", "a.jpg", {}), ("west", "b.jpg", {"heading": 90.0}), ("north", "c.jpg", {}))
+    given = {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": str(tmp_path / "v.tif"), "MAX_DISTANCE": REACH_M}
+    given = {**given, "POLYGONS": "memory:", "PROBABILITIES": str(tmp_path / "p")}
+    _, feedback = run("directedviewshed", given)
+    assert feedback.fractions == sorted(feedback.fractions) and len(feedback.fractions) > 10
+
+    class AtTheFirstProbability(listener):
+        def isCanceled(self):
+            return (tmp_path / "q" / "a.tif").exists()
+
+    with pytest.raises(QgsProcessingException, match="Cancelled"):
+        given = {**given, "PROBABILITIES": str(tmp_path / "q"), "OUTPUT": str(tmp_path / "w.tif")}
+        run("directedviewshed", given, AtTheFirstProbability())
+    assert [path.name for path in (tmp_path / "q").iterdir()] == ["a.tif"] and not (tmp_path / "w.tif").exists()
