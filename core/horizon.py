@@ -15,10 +15,10 @@ import numpy as np
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .errors import ObserverOutsideDemError
 from .horizon_blocks import STRIP_ROWS, HeldTerrain, aligned, block_maxima
+from .horizon_model import HorizonProfile
 from .horizon_rays import lay_rays
 from .horizon_refine import Sight
 from .horizon_search import Search
-from .model import HorizonProfile
 from .progress import SILENT, subtask
 from .terrain import Window, eye_elevation_m
 

@@ -13,7 +13,7 @@ from .progress import SILENT, checkpoint
 BULGE = 5e-4
 """Samples between those on grid lines are tried where the best of these comes this near to the floor [tangent]."""
 
-BATCH = 1024
+BATCH = 512
 """Intervals sampled at once: some ten thousand samples stay in the processor's cache."""
 
 

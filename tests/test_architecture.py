@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SHELL = ["plugin.py", *(str(path.relative_to(ROOT)) for path in sorted(ROOT.glob("processing_provider/*.py")))]
 SHELL += [str(path.relative_to(ROOT)) for path in sorted(ROOT.glob("algorithms/*.py"))]
 CORE = sorted(path.relative_to(ROOT) for path in (ROOT / "core").rglob("*.py"))
-GROUND = {"angles", "camera", "curvature", "errors", "frame", "imaging", "model", "optional"}
+GROUND = {"angles", "camera", "curvature", "errors", "frame", "horizon_model", "imaging", "model", "optional"}
 GROUND |= {"pixel_features", "progress", "terrain"}
 MEETING_PLACES = {"batch", "pipeline"}
 """Modules of the core in which stages come together."""
