@@ -30,6 +30,8 @@ class BlockMaxima:
     highest_m : (R, C) float32 array
         Highest known elevation of the block **and its eight neighbours** [m]; -inf where nothing is known. It
         bounds every interpolated sample within `block` cells of any point in the block.
+    own_m : (R, C) float32 array
+        The same of the block alone.
     has_void, all_void : (R, C) bool arrays
         Whether some cell of the block or its neighbours, or every cell of the block itself, is without data.
     summit_m : float
@@ -39,6 +41,7 @@ class BlockMaxima:
     window: Window
     block: int
     highest_m: np.ndarray
+    own_m: np.ndarray
     has_void: np.ndarray
     all_void: np.ndarray
     summit_m: float
@@ -50,6 +53,13 @@ class BlockMaxima:
             index = (np.asarray(place) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
             places.append(np.minimum(np.maximum(index, 0.0), count - 1).astype(np.intp))
         return tuple(places)
+
+    def highest_around(self, col_px, row_px, half_px):
+        """Highest known elevation within so many cells, at most half a block, of pixels of the whole raster [m]."""
+        (top, left), (bottom, right) = (self.index(col_px + way, row_px + way) for way in (-half_px, half_px))
+        cols, flat = self.own_m.shape[1], self.own_m.reshape(-1)
+        corners = (flat.take(row * cols + col) for row in (top, bottom) for col in (left, right))
+        return np.maximum.reduce(list(corners))
 
 
 def aligned(window, block, shape):
@@ -99,7 +109,7 @@ def block_maxima(terrain, window, block, progress=SILENT, columns=None):
     summit = float(highest.max()) if highest.size else -np.inf
     if has_void.any():
         has_void = _with_neighbours(has_void)
-    return BlockMaxima(window, block, _with_neighbours(highest), has_void, all_void, summit)
+    return BlockMaxima(window, block, _with_neighbours(highest), highest, has_void, all_void, summit)
 
 
 def _block_columns(columns, window, block):

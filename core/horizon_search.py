@@ -15,6 +15,8 @@ CHUNK_PAIRS = 30_000
 NEAR_CELLS = 39
 """Ground this near is sampled twice as closely. Its bounds are too loose to tell where the horizon is likely."""
 
+QUARTERS = 4
+
 
 class Search:
     """Branch and bound over all (ray, interval) pairs."""
@@ -77,6 +79,10 @@ class Search:
     def _refine(self, chosen, bound, progress, sight=None):
         """Sample the chosen pairs, raise the running maxima, and strike the pairs off the bounds."""
         ray, interval = np.nonzero(chosen)
+        bound[ray, interval] = -np.inf
+        if sight is None:
+            alive = self._closer_bound(ray, interval) > self.tangent[ray] + 1e-7
+            ray, interval = ray[alive], interval[alive]
         tangent, distance, _ = search_intervals(
             self.terrain,
             sight or self.sight,
@@ -87,7 +93,6 @@ class Search:
             self.whole,
             progress,
         )
-        bound[ray, interval] = -np.inf
         if len(ray) == 0:
             return
         order = np.lexsort((tangent, ray))
@@ -95,6 +100,17 @@ class Search:
         better = tangent[last] > self.tangent[ray[last]]
         last = last[better]
         self.tangent[ray[last]], self.distance[ray[last]] = tangent[last], distance[last]
+
+    def _closer_bound(self, ray, interval):
+        """Upper bounds again, of the intervals' quarters and from no more blocks than lie around these: (J,)."""
+        sight, block = self.sight, self.blocks.block
+        start = sight.edge_m[interval]
+        stop = np.minimum(sight.edge_m[interval + 1], sight.rays.reach_m[ray])
+        edges = start + (stop - start) * np.linspace(0.0, 1.0, QUARTERS + 1)[:, None]
+        col, row = sight.rays.at_pairs(ray, (edges[1:] + edges[:-1]) / 2)
+        half_px = (block - 1.5) / QUARTERS + 1.01  # of a quarter, and the interpolation's stencil
+        height = self.blocks.highest_around(col, row, half_px) - sight.eye_m
+        return _tangent_bound(height, edges[:-1], edges[1:], sight.drop_per_m2).max(axis=0)
 
     def _voids(self, progress):
         """Per azimuth: a void might hide a higher horizon; and where the data end [m]."""

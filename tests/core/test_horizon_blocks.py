@@ -54,3 +54,19 @@ def test_held_terrain_is_the_terrain_and_reads_what_it_keeps_once(memory_mb, kep
         assert np.array_equal(held.read(Window(row, 9, 10, 10)), ground[row : row + 10, 9:19])
     again = (terrain.cells_read - 1050 * 20) / 10
     assert 1050 - kept_rows - 20 <= again <= 1050 - min(kept_rows, 250) + 20, "rows read a second time"
+
+
+@pytest.mark.parametrize("half_px", [1.0, 2.635, 4.0])
+def test_no_cell_around_a_place_is_higher_than_its_bound(half_px):
+    ground = np.random.default_rng(4).normal(0, 100, (90, 77)).astype(np.float32)
+    ground[20:40, 30:50] = np.nan
+    blocks = block_maxima(ArrayTerrain(ground, 1.0), Window(0, 0, 90, 77), 8)
+    rng = np.random.default_rng(5)
+    for row, col in zip(rng.uniform(-0.5, 89.5, 300), rng.uniform(-0.5, 76.5, 300)):
+        top, left = max(int(np.ceil(row - half_px)), 0), max(int(np.ceil(col - half_px)), 0)
+        around = ground[top : int(np.floor(row + half_px)) + 1, left : int(np.floor(col + half_px)) + 1]
+        known = around[np.isfinite(around)]
+        bound = blocks.highest_around(np.array([col]), np.array([row]), half_px)[0]
+        assert bound >= known.max(initial=-np.inf)
+        if len(known) == around.size:
+            assert bound <= blocks.highest_m[blocks.index(col, row)]
