@@ -42,7 +42,7 @@ def test_the_compass_is_reported_and_in_blind_runs_not_looked_at(scene, dem, nor
     assert north.compass_true_deg == pytest.approx(26.0, abs=0.01)
     hinted = orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem, OrientOptions(compass="prior"))
     assert turn(hinted, scene.truth["north"]) < 0.5
-    assert hinted.orientation.best.score > north.orientation.best.score
+    assert hinted.orientation.p_correct > north.orientation.p_correct
 
 
 def test_a_magnetic_reading_is_turned_by_the_declination_of_place_and_time(scene, dem, tmp_path):
