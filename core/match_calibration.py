@@ -39,11 +39,21 @@ def table():
 
 
 def p_correct(finding, calibration=None):
-    """Probability that the best answer is within 3 degrees of the truth."""
+    """Probability that the best answer is within 3 degrees of the truth.
+
+    The regression's word, but never more than the best answer's share of the likelihood among all answers: whatever
+    else speaks for a fit, of two equal ones each is right half the time.
+    """
     calibration = calibration or table()
     values = features(finding)
     total = calibration["bias"]
     for name, entry in calibration["features"].items():
         standard = (values[name] - entry["mean"]) / entry["spread"]
         total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
-    return float(1 / (1 + np.exp(-total)))
+    return float(min(1 / (1 + np.exp(-total)), likelihood_share(finding.score, calibration["temperature"])))
+
+
+def likelihood_share(score, temperature):
+    """Share of the first of some scores in the sum of their likelihoods exp(temperature * score)."""
+    score = np.asarray(score, float)
+    return float(1 / np.exp(temperature * (score - score[0])).sum())

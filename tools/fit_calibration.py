@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "build" / "plugins"), str(ROOT / "benchmarks")]
 
 from skyline_viewshed.core.angles import difference  # noqa: E402
-from skyline_viewshed.core.match_calibration import LARGEST_STANDARD, TABLE_PATH, features  # noqa: E402
+from skyline_viewshed.core.match_calibration import LARGEST_STANDARD, TABLE_PATH, features, likelihood_share  # noqa: E402
 
 USED = ("relative_gap", "score", "log_relief", "log_misfit", "log_hfov")
 RIGHT_DEG = 3.0
@@ -182,7 +182,8 @@ def probabilities(table, rows):
         value = np.array([row["features"][name] for row in rows])
         standard = np.clip((value - entry["mean"]) / entry["spread"], -LARGEST_STANDARD, LARGEST_STANDARD)
         total += entry["weight"] * standard
-    return 1 / (1 + np.exp(-total))
+    limit = np.array([likelihood_share(row["score"], table["temperature"]) for row in rows])
+    return np.minimum(1 / (1 + np.exp(-total)), limit)
 
 
 def print_check(name, probability, rows):

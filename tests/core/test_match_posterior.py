@@ -102,3 +102,11 @@ def test_a_belief_is_joined_by_the_rule_of_bayes():
 def test_no_belief_changes_nothing():
     probability = np.array([0.3, 0.6])
     assert weigh(probability, np.array([100.0, 250.0]), None) == pytest.approx(probability)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(2, 5), st.floats(3.0, 9.0), st.floats(0.3, 9.0))
+def test_of_equal_answers_none_is_surer_than_its_share(answers, score, relief):
+    """Whatever the picture's other qualities: n twins are right one time in n."""
+    twins = finding(np.arange(answers) * 60.0, np.full(answers, score), np.full(answers, 0.2), relief)
+    assert p_correct(twins) <= 1 / answers + 1e-9
