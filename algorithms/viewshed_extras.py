@@ -20,9 +20,9 @@ LEVELS = {"p90_m2": 0.9, "p50_m2": 0.5}
 
 def add_extra_parameters(algorithm):
     """Declare the smallest area, the folders of layers and probabilities, and what is not known exactly."""
-    from ..core.visibility_probability import PoseUncertainty
+    from ..core.visibility_probability import ViewUncertainty
 
-    usual = PoseUncertainty()
+    usual = ViewUncertainty()
     parameters = [
         shared.number(
             "MIN_AREA",
@@ -231,7 +231,7 @@ class Extras:
         return areas
 
     def _uncertainty(self, sight):
-        from ..core.visibility_probability import PoseUncertainty
+        from ..core.visibility_probability import ViewUncertainty
 
         given = self.options
         errors = {
@@ -241,5 +241,5 @@ class Extras:
             "dem_m": given.dem_m,
         }
         if sight.heading_lo_deg is None or sight.heading_hi_deg is None:
-            return PoseUncertainty(**errors)
-        return PoseUncertainty.from_interval(sight.heading_lo_deg, sight.heading_hi_deg, **errors)
+            return ViewUncertainty(**errors)
+        return ViewUncertainty.from_interval(sight.heading_lo_deg, sight.heading_hi_deg, **errors)

@@ -46,19 +46,22 @@ TRIES = 400
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("data", type=Path, nargs="+", help="folders with truth.csv, photos/ and dem/")
+    parser.add_argument("data", type=Path, help="folder with truth.csv, photos/ and dem/, or a folder of such folders")
     parser.add_argument("--count", type=int, default=6, help="views of each photograph")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--compass", choices=("ignore", "prior"), default="ignore")
     parser.add_argument("--pictures", type=Path, help="keep the views in this folder")
     parser.add_argument("--output", type=Path, default=Path("build/views.json"))
     given = parser.parse_args(arguments)
+    folders = [given.data]
+    if not (given.data / "truth.csv").exists():
+        folders = sorted(path.parent for path in given.data.glob("*/truth.csv"))
     rows = []
-    for folder in given.data:
+    for folder in folders:
         for row in measure(folder, given):
             rows.append(row)
             print(line_of(row), flush=True)
-    summary = {folder.name: accuracy([r for r in rows if r["folder"] == folder.name]) for folder in given.data}
+    summary = {folder.name: accuracy([r for r in rows if r["folder"] == folder.name]) for folder in folders}
     report = {
         "seed": given.seed,
         "compass": given.compass,

@@ -26,7 +26,7 @@ TILE_ROWS = 256
 
 
 @dataclass(frozen=True)
-class PoseUncertainty:
+class ViewUncertainty:
     """Standard deviations of what is known of a photograph, and the number of samples.
 
     Attributes
@@ -96,7 +96,7 @@ class VisibilityProbability:
 
 
 def visibility_probability(
-    terrain, observer, camera, pose, uncertainty=PoseUncertainty(), options=ViewshedOptions(), progress=SILENT  # noqa: B008 - frozen
+    terrain, observer, camera, pose, uncertainty=ViewUncertainty(), options=ViewshedOptions(), progress=SILENT  # noqa: B008 - frozen
 ):  # fmt: skip
     """Carry the uncertainty of a photograph's orientation into the ground that it shows.
 
@@ -107,7 +107,7 @@ def visibility_probability(
     camera : Camera
         Of the full upright picture.
     pose : Pose
-    uncertainty : PoseUncertainty
+    uncertainty : ViewUncertainty
     options : ViewshedOptions
     progress : Progress
 

@@ -2,7 +2,8 @@
 
 Runs the accuracy benchmark on each folder of DATA that has a truth.csv, with and without the compass, into
 build/measured, then replaces the marked blocks of docs/accuracy.md. Blocks whose figures are not there stay as they
-are; build/simulated.json and build/skyline.json come from `make bench-simulated` and `make bench-skyline`. With
+are; build/simulated.json, build/skyline.json and build/views.json come from `make bench-simulated`, `make
+bench-skyline` and `make bench-views`. With
 --write-only nothing is measured.
 """
 
@@ -21,6 +22,10 @@ MEASURED = ROOT / "build" / "measured"
 BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 COMPASS = ("ignore", "prior")
 LIMITS = ("< 0.5", "< 1", "< 1.5", "< 3")
+SHARES = (
+    *("photos", "< 0.2°", "< 0.5°", "< 1°", "< 3°", "accepted", "of these wrong by 3° or more"),
+    *("90 % interval holds the truth", "the same of accepted ones"),
+)
 
 
 def main(arguments=None):
@@ -51,7 +56,7 @@ def tables():
     if reports:
         blocks["real"] = real_table(reports)
         blocks["photos"] = photo_table(reports)
-    for name, table in (("simulated", simulated_tables), ("skyline", skyline_table)):
+    for name, table in (("simulated", simulated_tables), ("skyline", skyline_table), ("views", views_tables)):
         path = ROOT / "build" / f"{name}.json"
         if path.exists():
             blocks[name] = table(json.loads(path.read_text(encoding="utf-8")))
@@ -141,17 +146,33 @@ def simulated_tables(report):
     for name, row in [*summary["levels"].items(), *summary["full_by"].items(), ("all pictures", summary["images"])]:
         if not row["photos"] or Path(name).suffix:  # by DEM is for the developer's eye
             continue
-        shares = [f"{100 * row[f'within_{limit}']:.0f} %" for limit in ("0.2", "0.5", "1", "3")]
-        cover = "–" if row["coverage_90"] is None else f"{100 * row['coverage_90']:.0f} %"
         label = name if name in summary["levels"] or name == "all pictures" else f"full, {name}"
-        rows.append([label, row["photos"], *shares, f"{100 * row['accepted']:.0f} %", row["accepted_wrong"], cover])
-    head = ["scenes", "photos", "< 0.2°", "< 0.5°", "< 1°", "< 3°", "accepted", "of these wrong by 3° or more"]
-    text = table_of([*head, "90 % interval holds the truth"], rows)
+        rows.append([label, *shares(row)])
+    return table_of(["scenes", *SHARES], rows) + "\n" + promise_table(summary["reliability"])
+
+
+def views_tables(report):
+    """Views cut from real photographs by folder, then what was promised and what was kept."""
+    rows = [[name, *shares(row)] for name, row in report["summary"].items()]
+    return table_of(["views from", *SHARES], rows) + "\n" + promise_table(report["reliability"])
+
+
+def shares(row):
+    """Cells under `SHARES` of one row of `bench_simulated.accuracy`."""
+    within = [f"{100 * row[f'within_{limit}']:.0f} %" for limit in ("0.2", "0.5", "1", "3")]
+    cover, sure = (
+        "–" if row[key] is None else f"{100 * row[key]:.0f} %" for key in ("coverage_90", "coverage_90_accepted")
+    )
+    return [row["photos"], *within, f"{100 * row['accepted']:.0f} %", row["accepted_wrong"], cover, sure]
+
+
+def promise_table(reliability):
+    """p_correct promised against kept."""
     kept = [
         [f"{r['from']:.2f} to {r['to']:.2f}", r["photos"], f"{r['promised']:.2f}", f"{r['kept']:.2f}"]
-        for r in summary["reliability"]
+        for r in reliability
     ]
-    return text + "\n" + table_of(["`p_correct`", "photos", "mean promise", "share within 3°"], kept)
+    return table_of(["`p_correct`", "photos", "mean promise", "share within 3°"], kept)
 
 
 def skyline_table(report):

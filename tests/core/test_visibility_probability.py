@@ -4,10 +4,10 @@ from reference.landscapes import fractal, stand
 from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px
 from skyline_viewshed.core.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.viewshed import PhotoFrame, ViewshedOptions, viewshed
-from skyline_viewshed.core.visibility_probability import PoseUncertainty, visibility_probability
+from skyline_viewshed.core.visibility_probability import ViewUncertainty, visibility_probability
 
 CAMERA, POSE = Camera(400, 300, focal_of_fov_px(400, 60.0)), Pose(30.0, -5.0, 2.0)
-EXACT = PoseUncertainty(0, 0, 0, 0, 0, 0, frames=1)
+EXACT = ViewUncertainty(0, 0, 0, 0, 0, 0, frames=1)
 
 
 @pytest.fixture(scope="module")
@@ -29,7 +29,7 @@ def test_without_any_error_it_is_the_viewshed_of_the_frame(scene):
 
 
 def test_it_lies_between_never_and_always_and_the_middle_is_surer_than_the_edge(scene):
-    result = visibility_probability(*scene, CAMERA, POSE, PoseUncertainty(heading_deg=3.0, dem_m=1.0))
+    result = visibility_probability(*scene, CAMERA, POSE, ViewUncertainty(heading_deg=3.0, dem_m=1.0))
     assert ((result.values >= 0) & (result.values <= 1)).all()
     seen = spread(viewshed(*scene, PhotoFrame(CAMERA, POSE))) == 1
     probability = spread(result)
@@ -43,7 +43,7 @@ def test_half_the_samples_have_a_direction_on_the_edge_of_the_frame():
     """A plane seen from high above: the cell on the frame's left edge is in or out by the heading's sign alone."""
     terrain, observer = stand(np.zeros((201, 201)), 10.0, 100, 100, 300.0)
     camera, pose = Camera(4000, 3000, focal_of_fov_px(4000, 60.0)), Pose(0.0, -30.0)
-    error = PoseUncertainty(2.0, 0, 0, 0, 0, 0, frames=200)
+    error = ViewUncertainty(2.0, 0, 0, 0, 0, 0, frames=200)
     probability = spread(visibility_probability(terrain, observer, camera, pose, error), (201, 201))
     line = probability[60]
     left = np.flatnonzero(line > 0)[0]
@@ -54,8 +54,8 @@ def test_half_the_samples_have_a_direction_on_the_edge_of_the_frame():
 
 
 def test_dem_error_makes_grazing_cells_uncertain_and_leaves_clear_ones(scene):
-    sure = PoseUncertainty(0, 0, 0, 0, 0, 0, frames=1)
-    vague = PoseUncertainty(0, 0, 0, 0, 0, 20.0, frames=1)
+    sure = ViewUncertainty(0, 0, 0, 0, 0, 0, frames=1)
+    vague = ViewUncertainty(0, 0, 0, 0, 0, 20.0, frames=1)
     a, b = (visibility_probability(*scene, CAMERA, POSE, error) for error in (sure, vague))
     between = (b.values > 0.05) & (b.values < 0.95)
     assert not ((a.values > 0.05) & (a.values < 0.95)).any()
@@ -64,7 +64,7 @@ def test_dem_error_makes_grazing_cells_uncertain_and_leaves_clear_ones(scene):
 
 
 def test_position_error_averages_over_places(scene):
-    result = visibility_probability(*scene, CAMERA, POSE, PoseUncertainty(0, 0, 0, 0, 60.0, 0, frames=1))
+    result = visibility_probability(*scene, CAMERA, POSE, ViewUncertainty(0, 0, 0, 0, 60.0, 0, frames=1))
     levels = np.unique(np.rint(result.values * 1000) / 1000).astype(float).round(3)
     assert set(levels) <= {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}
     assert len(levels) > 3
@@ -80,7 +80,7 @@ def test_voids_stay_unknown():
 
 
 def test_the_heading_interval_gives_the_spread():
-    assert PoseUncertainty.from_interval(358.0, 2.0).heading_deg == pytest.approx(2 / 1.6449)
+    assert ViewUncertainty.from_interval(358.0, 2.0).heading_deg == pytest.approx(2 / 1.6449)
 
 
 def test_places_off_the_dem_are_left_out():
@@ -93,4 +93,4 @@ def test_places_off_the_dem_are_left_out():
 @pytest.mark.parametrize("wrong", [{"heading_deg": -1}, {"focal_relative": 0.5}, {"frames": 0}])
 def test_errors_out_of_range_are_refused(wrong):
     with pytest.raises(ValueError):
-        PoseUncertainty(**wrong)
+        ViewUncertainty(**wrong)
