@@ -56,7 +56,8 @@ done
 rm -f build/matrix/*.row
 failed=0 running=0
 for one in "${names[@]}"; do
-  if [ "$running" -ge "${JOBS:-$(nproc)}" ]; then wait -n || failed=1; running=$((running - 1)); fi
+  # nproc heeds OMP_NUM_THREADS, which make sets to 1; --all does not.
+  if [ "$running" -ge "${JOBS:-$(nproc --all)}" ]; then wait -n || failed=1; running=$((running - 1)); fi
   run_in "$one" &
   running=$((running + 1))
 done
