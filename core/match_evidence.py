@@ -91,16 +91,15 @@ class EvidenceStack:
         self.above_frame = np.log(odds * self._leaving + 1 - leaves)
         self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
         self._probability = np.asarray(probability, np.float32)
-        telling = self.informative_columns(probability, leaves)
+        telling = self.informative_columns(probability, self._leaving)
         self.informative = telling if len(telling) else np.arange(self.shape[1])
         self._table = self._blurred(self.tolerance_px)
         self._log_step = np.log(self.tolerance_px[1] / self.tolerance_px[0])
 
     @staticmethod
-    def informative_columns(probability, leaves_frame=0.0):
-        """Indices of the columns that say anything at all about the skyline."""
-        peak = np.maximum(probability.max(axis=0) * probability.shape[0], leaves_frame / EvidenceOptions.leaving_share)
-        return np.flatnonzero(peak > INFORMATIVE)
+    def informative_columns(probability, leaving=0.0):
+        """Indices of the columns that say anything at all about the skyline; `leaving` is t / q above."""
+        return np.flatnonzero(np.maximum(probability.max(axis=0) * probability.shape[0], leaving) > INFORMATIVE)
 
     def at_tolerance(self, tolerance_px):
         """B as an (h, w) map for one tolerance [pixels of the reduced picture]."""

@@ -5,7 +5,9 @@
 MASKS holds `images` and `masks` (white is mountain). Simulated photographs come from `benchmarks/simulated_cases.py`
 and are kept in `build/skyline_teacher`. Each picture enters as it is and in a few variants (cropped so that the ridge
 leaves the frame, other aspect, exposure, haze, colour cast, grey, grain, JPEG), so that the weights do not learn the
-look of one camera. Maximised is, per column, the log of
+look of one camera. The colours enter as three rounds along the edges give them (`learn_sky`); the extraction learns
+them once more from its own first belief, which the masks show the same weights to serve. Maximised is, per column, the
+log of
 
     0.95 x (probability within a Gaussian of 1.2 rows around the true row) + 0.05 / rows
 
