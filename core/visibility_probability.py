@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtr
 
+from .angles import difference
 from .camera import Pose, in_frame, project
 from .curvature import apparent_drop_m
 from .errors import ObserverError
@@ -120,11 +121,9 @@ def visibility_probability(
     ObserverOutsideDemError, NoElevationAtObserverError, UnusableDemError
         For the stated position; shifted positions off the DEM are left out.
     """
-    start, width = PhotoFrame(camera, pose).azimuth_range_deg
-    spread = 3 * float(np.hypot(uncertainty.heading_deg, width / 2 * uncertainty.focal_relative))
-    sector = Wedge((start + width / 2) % 360, min(width + 2 * spread, 360.0))
-    window, seen, frame, eye_m = _seen(terrain, observer, sector, uncertainty, options, subtask(progress, 0.0, 0.8))
     samples = _frame_samples(camera, pose, uncertainty)
+    sector = _sector(camera, pose, uncertainty, samples)
+    window, seen, frame, eye_m = _seen(terrain, observer, sector, uncertainty, options, subtask(progress, 0.0, 0.8))
     for first in range(0, window.rows, TILE_ROWS):
         checkpoint(progress, 0.8 + 0.2 * first / max(window.rows, 1))
         strip = seen[first : first + TILE_ROWS]
@@ -136,6 +135,17 @@ def visibility_probability(
         with np.errstate(invalid="ignore"):
             strip[strip <= 1e-3] = 0.0
     return VisibilityProbability(window, seen, float(np.prod(frame.cell_size_m)))
+
+
+def _sector(camera, pose, uncertainty, samples):
+    """Wedge that holds the frame with its errors of heading and focal length, and all samples of it."""
+    start, width = PhotoFrame(camera, pose).azimuth_range_deg
+    middle = start + width / 2
+    half = width / 2 + 3 * float(np.hypot(uncertainty.heading_deg, width / 2 * uncertainty.focal_relative))
+    for sample in samples:  # a corner that rolls outwards lies beside the level frame
+        start, width = PhotoFrame(*sample).azimuth_range_deg
+        half = max(half, abs(float(difference(start + width / 2, middle))) + width / 2)
+    return Wedge(middle % 360, min(2 * half, 360.0))
 
 
 def _seen(terrain, observer, sector, uncertainty, options, progress):

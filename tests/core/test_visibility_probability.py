@@ -53,6 +53,43 @@ def test_half_the_samples_have_a_direction_on_the_edge_of_the_frame():
     assert edge == pytest.approx(np.flatnonzero(exact == 1)[0], abs=2)
 
 
+def turned_about_the_middle(pitch_deg, roll_errors_deg, cell_m):
+    """Camera, and each plane cell's place in the picture from its middle (x, y) [px] with its probabilities."""
+    terrain, observer = stand(np.zeros((241, 241)), cell_m, 60, 120, 300.0)
+    camera, pose = Camera(4000, 3000, focal_of_fov_px(4000, 60.0)), Pose(180.0, pitch_deg)
+    found = [
+        spread(visibility_probability(terrain, observer, camera, pose, error), (241, 241))
+        for error in (ViewUncertainty(0, 0, sigma, 0, 0, 0, frames=200) for sigma in roll_errors_deg)
+    ]
+    south, east = cell_m * np.array(np.meshgrid(np.arange(241) - 60, np.arange(241) - 120, indexing="ij"))
+    down = np.radians(-pitch_deg)
+    depth = south * np.cos(down) + 300.0 * np.sin(down)
+    below = 300.0 * np.cos(down) - south * np.sin(down)
+    depth[depth <= 0] = np.nan
+    return camera.focal_px * -east / depth, camera.focal_px * below / depth, found
+
+
+def test_roll_error_leaves_the_picture_s_middle_and_makes_its_corners_unsure():
+    x, y, (none, small, large) = turned_about_the_middle(-60.0, (0.0, 2.0, 12.0), 5.0)
+    radius, corner = np.hypot(x, y), np.hypot(2000, 1500)
+    near_corner = (radius > 0.9 * corner) & (np.abs(x) < 1900) & (np.abs(y) < 1450)
+    assert near_corner.sum() > 20 and (radius < 1450).sum() > 200
+    for probability in (none, small, large):
+        assert (probability[radius < 1450] == 1).all(), "the circle that touches the frame turns within it"
+        assert (probability[radius > corner + 50] == 0).all()
+    assert (none[near_corner] == 1).all()
+    assert 1 > small[near_corner].mean() > large[near_corner].mean() + 0.1
+
+
+def test_a_large_roll_error_reaches_ground_beside_the_level_frame():
+    x, y, (probability,) = turned_about_the_middle(0.0, (30.0,), 20.0)
+    ring = (np.hypot(x, y) > 2050) & (np.hypot(x, y) < 2350)
+    beside = ring & (np.abs(x) > 2010)
+    assert beside.sum() > 50
+    # By the normal distribution of the roll about every tenth turn brings such a cell into the frame.
+    assert probability[beside].min() > 0.02 and probability[beside].max() < 0.7
+
+
 def test_dem_error_makes_grazing_cells_uncertain_and_leaves_clear_ones(scene):
     sure = ViewUncertainty(0, 0, 0, 0, 0, 0, frames=1)
     vague = ViewUncertainty(0, 0, 0, 0, 0, 20.0, frames=1)
