@@ -1,0 +1,122 @@
+"""One photograph's orientation as a file of its own, which a repeated run recognises and does not compute again.
+
+The file is a NumPy archive: the arrays, and the rest as JSON, so that reading it executes nothing. It carries the
+fingerprint of everything that the answer depends on.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import zipfile
+import zlib
+from dataclasses import fields, replace
+from datetime import datetime
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from ..camera import Camera, Pose
+from ..horizon_model import HorizonProfile
+from ..model import Candidate, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
+
+CORE = Path(__file__).resolve().parent.parent
+PROGRAM = (".py", ".json", ".txt")
+KINDS = {
+    kind.__name__: kind
+    for kind in (
+        Camera, Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Pose, Skyline, SkylineEvidence
+    )
+}  # fmt: skip
+UNREADABLE = OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error
+
+
+def orientation_mark(request, dem, options):
+    """Digest of all that an orientation depends on: photo and DEM as files, request, options, the program itself.
+
+    Changed files are noticed by their size and time of change, as by `make`; a changed program by its source, since
+    every version judges a little differently.
+    """
+    facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
+    facts += [dem.shape, dem.geotransform, dem.crs_wkt, request, options]
+    return hashlib.sha256(repr(facts).encode("utf-8", "surrogateescape")).hexdigest()[:32]
+
+
+@lru_cache(maxsize=1)
+def _program():
+    digest = hashlib.sha256()
+    for path in sorted(path for path in CORE.rglob("*") if path.suffix in PROGRAM):
+        digest.update(path.relative_to(CORE).as_posix().encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def _file_state(path):
+    try:
+        state = os.stat(path)
+    except (OSError, TypeError):  # not a plain file: a database, an archive, no sky mask
+        return path
+    return os.path.abspath(path), state.st_size, state.st_mtime_ns
+
+
+def packed(oriented, mark):
+    """Bytes of the file for one photograph's orientation.
+
+    Of the evidence only what the report draws is kept; the pixel scores would double the size.
+
+    Parameters
+    ----------
+    oriented : OrientedPhoto
+    mark : str
+        Of `orientation_mark`.
+    """
+    if oriented.evidence is not None:
+        oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None))
+    arrays = {}
+    tree = {"mark": mark, "photo": _plain(oriented, arrays)}
+    target = io.BytesIO()
+    np.savez_compressed(target, tree=np.frombuffer(json.dumps(tree).encode(), np.uint8), **arrays)
+    return target.getvalue()
+
+
+def unpacked(path, mark):
+    """Give the `OrientedPhoto` if the file is there, whole and of this fingerprint; else None."""
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            tree = json.loads(archive["tree"].tobytes())
+            return _restored(tree["photo"], archive) if tree["mark"] == mark else None
+    except UNREADABLE:
+        return None
+
+
+def _plain(value, arrays):
+    """Value as JSON has it; arrays go to `arrays`, and their names stand in for them."""
+    if isinstance(value, np.ndarray):
+        name = f"array_{len(arrays)}"
+        arrays[name] = value
+        return {"array": name}
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, (tuple, list)):
+        return [_plain(item, arrays) for item in value]
+    if isinstance(value, datetime):
+        return {"time": value.isoformat()}
+    if type(value).__name__ in KINDS:
+        return {"kind": type(value).__name__, **{f.name: _plain(getattr(value, f.name), arrays) for f in fields(value)}}
+    return value
+
+
+def _restored(value, arrays):
+    """Value that `_plain` was given; every list was a tuple."""
+    if isinstance(value, list):
+        return tuple(_restored(item, arrays) for item in value)
+    if not isinstance(value, dict):
+        return value
+    if "array" in value:
+        return arrays[value["array"]]
+    if "time" in value:
+        return datetime.fromisoformat(value["time"])
+    return KINDS[value["kind"]](**{name: _restored(item, arrays) for name, item in value.items() if name != "kind"})
