@@ -15,8 +15,7 @@ from .feedback import FeedbackProgress, announce, warn
 from .fields import FieldSpec, qgis_fields
 from .i18n import marked, tr
 from .layers import read_points
-from .outputs import write_features
-from .picture_files import write_whole
+from .outputs import write_features, write_whole
 from .styling import style_on_completion
 
 PREVIEW_PX = 1600

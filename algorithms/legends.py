@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from xml.sax.saxutils import quoteattr
+
 from qgis.core import QgsCategorizedSymbolRenderer, QgsSingleBandPseudoColorRenderer
 
 from .i18n import mark, marked
@@ -22,6 +25,15 @@ ENTRIES = (
     mark("4 to 5 photos"),
     mark("6 to 10 photos"),
     mark("more than 10 photos"),
+    mark("seen"),
+    mark("hidden, 200 m or more too low"),
+    mark("hidden, 50 m too low"),
+    mark("hidden, 10 m too low"),
+    mark("just hidden"),
+    mark("just seen"),
+    mark("seen, 10 m to spare"),
+    mark("seen, 100 m or more to spare"),
+    mark("1 (open sky)"),
 )
 """What the files in `styles/` say; numbers and units need no translation."""
 
@@ -38,3 +50,9 @@ def translate_legend(layer):
         for item in items:
             item.label = marked(item.label)
         ramp.setColorRampItemList(items)
+
+
+def translated_style(text):
+    """Text of a style file with the legend of its colours in the user's language."""
+    pattern = r'(?<=<item )([^>]*label=)"([^"]*)"'
+    return re.sub(pattern, lambda found: found.group(1) + quoteattr(marked(found.group(2))), text)

@@ -8,6 +8,7 @@ from . import parameters as shared
 from .base import DemAlgorithm
 from .elevation import dem_fault
 from .i18n import tr
+from .kept_orientations import orientations_out
 from .layers import points_fault, read_points
 from .orientation import (
     NUMBER_FIELDS,
@@ -57,7 +58,8 @@ class OrientPhotos(DemAlgorithm):
                 "<b>status</b>: <i>accepted</i> (trust it), <i>ambiguous</i> (another heading is nearly as good; see "
                 "heading_2 and the report), <i>rejected</i> (no usable skyline or nothing fits), <i>failed</i> (the "
                 "input is at fault); <b>message</b> says why and what to do. heading_lo and heading_hi enclose the "
-                "true heading with 90 %."
+                "true heading with 90 %; of an accepted photo they do if its heading is the right one, and "
+                "<b>p_correct</b> says how sure that is."
             ),
             tr(
                 "Headings count clockwise from true north. A point's geometry is the camera's position. For photos "
@@ -78,6 +80,7 @@ class OrientPhotos(DemAlgorithm):
         add_rescue_parameters(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
+        self.addParameter(orientations_out())
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
         self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))
 
@@ -93,8 +96,10 @@ class OrientPhotos(DemAlgorithm):
         requests = requests_of(self, parameters, context, rows)
         fields, kept = oriented_fields(source)
         features, statuses = [], []
+        folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
         with PhotoReport(self, parameters, context, len(rows)) as report:
-            for row, oriented in zip(rows, orient_each(requests, self.dem.open(), options, feedback, (0.0, 0.95))):
+            oriented_photos = orient_each(requests, self.dem.open(), options, feedback, folder, (0.0, 0.95))
+            for row, oriented in zip(rows, oriented_photos):
                 features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)
                 report.add(oriented)
@@ -104,4 +109,4 @@ class OrientPhotos(DemAlgorithm):
             )
         style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
         results = {"OUTPUT": output, "COUNT": len(statuses), "ACCEPTED": statuses.count("accepted")}
-        return {**results, **report.outputs()}
+        return {**results, **report.outputs(), **({"ORIENTATIONS": folder} if folder else {})}

@@ -5,13 +5,14 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from ..core.errors import Cancelled, TerrainError
+from ..core.errors import Cancelled, OutputError, TerrainError
 from ..core.horizon import HorizonOptions
 from ..core.progress import checkpoint, subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .fields import joined_fields, number_or_none
 from .i18n import marked, tr
+from .kept_orientations import KeptOrientations
 from .oriented import oriented_specs, oriented_values
 from .rescue import Rescue
 
@@ -105,23 +106,25 @@ def request_of(row, rescue, eye_height_m):
     )
 
 
-def orient_each(requests, dem, options, feedback, share=(0.0, 1.0), part_of_photo=1.0):
+def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), part_of_photo=1.0):
     """Orient one request after the other and yield each `OrientedPhoto`.
 
-    `share` is the loop's of the progress bar, `part_of_photo` the orientation's of each photo in it.
+    `folder` is that of `KeptOrientations`, `share` the loop's of the progress bar, `part_of_photo` the orientation's of
+    each photo in it.
 
     A photo's fault becomes a status and a warning; cancelling says how far the run came and raises `Cancelled`.
     """
-    from ..core.batch import HorizonCache, orient_request
+    from ..core.batch import HorizonCache
 
     cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
+    kept = KeptOrientations(folder, feedback)
     for index, request in enumerate(requests):
         name = tr("A point without a photo") if request is None else Path(request.path).name
         announce(feedback, name, index, len(requests))
         part = subtask(progress, index / len(requests), (index + part_of_photo) / len(requests))
         try:
-            oriented = without_photo() if request is None else orient_request(request, dem, options, cache, part)
-        except TerrainError:
+            oriented = without_photo() if request is None else kept.orient(request, dem, options, cache, part)
+        except (TerrainError, OutputError):
             raise
         except Exception:  # our own fault, but no reason to lose the other photographs
             oriented = unforeseen(request, feedback)

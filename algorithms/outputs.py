@@ -1,8 +1,11 @@
-"""Writing what a run has found: vector sinks, and the folders that outputs lie in."""
+"""Writing what a run has found: vector sinks, whole files, and the folders that outputs lie in."""
 
 from __future__ import annotations
 
+import os
 import re
+import secrets
+from contextlib import suppress
 from pathlib import Path
 
 from qgis.core import (
@@ -172,6 +175,27 @@ def make_folder_of(value):
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise unwritable(path, error) from None
+
+
+def write_whole(path, content):
+    """Write bytes or text under a temporary name and rename; the folder is made.
+
+    Raises
+    ------
+    OutputError
+    """
+    path = Path(path)
+    make_folder_of(str(path))
+    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
+    data = content.encode("utf-8") if isinstance(content, str) else content
+    try:
+        part.write_bytes(data)
+        os.replace(part, path)
+    except OSError as error:
+        raise unwritable(path, error) from None
+    finally:
+        with suppress(OSError):
+            part.unlink()
 
 
 def unwritable(path, error):

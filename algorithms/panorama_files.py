@@ -8,7 +8,8 @@ from ..core.camera import Camera, Pose, focal_of_fov_px
 from .fields import is_null
 from .i18n import marked, tr
 from .layers import read_points
-from .picture_files import PictureFolder, write_whole
+from .outputs import write_whole
+from .picture_files import PictureFolder
 from .views import value_of
 
 SAME_PLACE_M = 100.0

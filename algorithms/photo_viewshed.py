@@ -14,6 +14,7 @@ from .feedback import FeedbackProgress
 from .fields import is_null, photo_specs
 from .folder_photos import folder_fault, photo_rows
 from .i18n import tr
+from .kept_orientations import orientations_out
 from .orientation import (
     add_field_parameters,
     options_of,
@@ -138,6 +139,7 @@ class PhotoViewshed(DemAlgorithm):
             )
         )
         self.addParameter(figures_out())
+        self.addParameter(orientations_out())
         add_extra_parameters(self)
         add_own_parameters(self)
         for name, label in (
@@ -164,13 +166,16 @@ class PhotoViewshed(DemAlgorithm):
         ground = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
         features, statuses = [], []
         # Asked once: each question about a temporary folder gives another one.
-        folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
+        names = ("RASTERS", "FIGURES", "ORIENTATIONS")
+        folders = {name: self.parameterAsString(parameters, name, context) for name in names}
         with PhotoReport(self, parameters, context, len(photos.rows)) as report:
             viewer = self._viewer(parameters, context, dem, feedback, folders["RASTERS"])
             extras = Extras(viewer, extra_options(self, parameters, context), feedback)
             view = self._view_of(parameters, context, viewer, options.method, len(photos.rows))
             figures = ResultFigures(dem, folders["FIGURES"], stations_of(photos.rows), feedback, bool(report.path))
-            oriented_photos = orient_each(requests, dem, options, feedback, SHARE, ORIENTATION_PART)
+            oriented_photos = orient_each(
+                requests, dem, options, feedback, folders["ORIENTATIONS"], SHARE, ORIENTATION_PART
+            )
             for row, oriented in zip(photos.rows, oriented_photos):
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)

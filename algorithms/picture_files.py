@@ -2,38 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import secrets
-from contextlib import suppress
 from pathlib import Path
 
 from ..core.errors import MissingPackageError, PhotoError
 from .feedback import warn
 from .i18n import marked, tr
-from .outputs import make_folder_of, unused, unwritable
+from .outputs import unused, write_whole
 
 PREVIEW_PX = 1600
-
-
-def write_whole(path, content):
-    """Write bytes or text under a temporary name and rename; the folder is made.
-
-    Raises
-    ------
-    OutputError
-    """
-    path = Path(path)
-    make_folder_of(str(path))
-    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
-    data = content.encode("utf-8") if isinstance(content, str) else content
-    try:
-        part.write_bytes(data)
-        os.replace(part, path)
-    except OSError as error:
-        raise unwritable(path, error) from None
-    finally:
-        with suppress(OSError):
-            part.unlink()
 
 
 class PictureFolder:

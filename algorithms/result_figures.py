@@ -12,7 +12,8 @@ from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, number_or_none
 from .i18n import marked, tr
-from .picture_files import PictureFolder, write_whole
+from .outputs import write_whole
+from .picture_files import PictureFolder
 
 HEIGHT_PX = 480
 PREVIEW_PX = 1024

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from qgis.core import QgsProcessingLayerPostProcessorInterface
 
-from .legends import translate_legend
+from .legends import translate_legend, translated_style
+from .outputs import write_whole
 
 STYLES = Path(__file__).resolve().parent.parent / "styles"
 
@@ -73,6 +74,27 @@ def style_on_completion(context, identifier, style, title, specs=(), method=""):
     details.setPostProcessor(styler)
     if hasattr(details, "groupName"):  # from QGIS 3.32 on
         details.groupName = "Skyline Viewshed"
+
+
+def dress_file(path, style):
+    """Write a style beside a raster that lies in a folder; QGIS takes it whenever that file is loaded.
+
+    A style that lies there already, perhaps the user's own, stays.
+
+    Parameters
+    ----------
+    path : str
+        Of the raster.
+    style : str
+        Of `styles/`.
+
+    Raises
+    ------
+    OutputError
+    """
+    target = Path(path).with_suffix(".qml")
+    if not target.exists():
+        write_whole(target, translated_style((STYLES / f"{style}.qml").read_text(encoding="utf-8")))
 
 
 def tell_provenance(context, facts, software):

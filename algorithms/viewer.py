@@ -11,6 +11,7 @@ from ..core.progress import checkpoint, subtask
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
 from .outputs import make_folder_of, unused
+from .styling import dress_file
 from .visibility import sector_of
 
 PACKED_CELLS = 500_000_000
@@ -166,6 +167,7 @@ class Viewer:
             sight = job.sight
             facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
             write_viewshed(job.path, found, self.dem, job.mark, facts)
+            dress_file(job.path, "seen")
 
     def _taken(self, job):
         """What an earlier run has left, or None where it cannot be read after all."""
@@ -177,6 +179,7 @@ class Viewer:
         if stored is None:
             return None
         self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=job.sight.name, path=job.path))
+        dress_file(job.path, "seen")
         place = job.observer
         frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * self.options.max_distance_m)
         eye_m = eye_elevation_m(self.dem, frame, place)

@@ -9,6 +9,7 @@ from . import parameters as shared
 from .feedback import StillProgress, warn
 from .fields import FieldSpec
 from .i18n import tr
+from .styling import dress_file
 from .visibility import view_of
 
 LAYER_CELLS = 80_000_000
@@ -20,9 +21,6 @@ LEVELS = {"p90_m2": 0.9, "p50_m2": 0.5}
 
 def add_extra_parameters(algorithm):
     """Declare the smallest area, the folders of layers and probabilities, and what is not known exactly."""
-    from ..core.visibility_probability import ViewUncertainty
-
-    usual = ViewUncertainty()
     parameters = [
         shared.number(
             "MIN_AREA",
@@ -48,6 +46,17 @@ def add_extra_parameters(algorithm):
                 "below and the heading's interval. Needs the area photo frame; takes some five times as long."
             ),
         ),
+    ]
+    for parameter in (*parameters, *error_parameters()):
+        algorithm.addParameter(shared.advanced(parameter))
+
+
+def error_parameters():
+    """What is not known exactly, for probabilities."""
+    from ..core.visibility_probability import ViewUncertainty
+
+    usual = ViewUncertainty()
+    return [
         shared.distance(
             "POSITION_ERROR",
             tr("Error of positions (m)"),
@@ -69,6 +78,14 @@ def add_extra_parameters(algorithm):
             maximum=45.0,
         ),
         shared.number(
+            "ROLL_ERROR",
+            tr("Error of the roll (°)"),
+            usual.roll_deg,
+            tr("Standard deviation, for probabilities. It moves what lies far from the picture's middle."),
+            minimum=0.0,
+            maximum=45.0,
+        ),
+        shared.number(
             "FOCAL_ERROR",
             tr("Error of the focal length (%)"),
             100 * usual.focal_relative,
@@ -77,8 +94,6 @@ def add_extra_parameters(algorithm):
             maximum=30.0,
         ),
     ]
-    for parameter in parameters:
-        algorithm.addParameter(shared.advanced(parameter))
 
 
 @dataclass(frozen=True)
@@ -90,15 +105,16 @@ class ExtraOptions:
     position_m: float
     dem_m: float
     pitch_deg: float
+    roll_deg: float
     focal_relative: float
 
 
 def extra_options(algorithm, parameters, context):
     """Options from the parameters; asked once, as each question about a temporary folder gives another one."""
     folders = [algorithm.parameterAsString(parameters, name, context) for name in ("LAYERS", "PROBABILITIES")]
-    names = ("POSITION_ERROR", "DEM_ERROR", "PITCH_ERROR", "FOCAL_ERROR")
-    errors = [algorithm.parameterAsDouble(parameters, name, context) for name in names]
-    return ExtraOptions(*folders, *errors[:3], errors[3] / 100)
+    names = ("POSITION_ERROR", "DEM_ERROR", "PITCH_ERROR", "ROLL_ERROR", "FOCAL_ERROR")
+    *errors, focal_percent = (algorithm.parameterAsDouble(parameters, name, context) for name in names)
+    return ExtraOptions(*folders, *errors, focal_percent / 100)
 
 
 def extra_fields():
@@ -173,11 +189,12 @@ class Extras:
         mark = fingerprint(self.dem, observer, seen.sector, seen.options, "layers", camera, pose)
         if stored_facts(path, mark) is not None:
             self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
-            return
-        lifted = clearance(self.dem, observer, seen.sector, seen.options, self._progress)
-        strips = sector_layers(self.dem, seen, lifted, camera, pose)
-        bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
-        write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
+        else:
+            lifted = clearance(self.dem, observer, seen.sector, seen.options, self._progress)
+            strips = sector_layers(self.dem, seen, lifted, camera, pose)
+            bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
+            write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
+        dress_file(path, "layers")
 
     def _terrain_share(self, sight, seen, horizon):
         """Share of the frame that looks below the DEM's horizon."""
@@ -217,6 +234,7 @@ class Extras:
         stored = stored_facts(path, mark)
         if stored is not None:
             self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+            dress_file(path, "probability")
             return {name: float(stored[name.upper()]) for name in LEVELS}
         try:
             found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, self._progress)
@@ -228,6 +246,7 @@ class Extras:
         strips = [(found.window, [found.values])]
         bands = {tr("probability that the photograph shows the cell"): "1"}
         write_layers(path, self.dem, found.window, bands, strips, mark, facts)
+        dress_file(path, "probability")
         return areas
 
     def _uncertainty(self, sight):
@@ -236,6 +255,7 @@ class Extras:
         given = self.options
         errors = {
             "pitch_deg": given.pitch_deg,
+            "roll_deg": given.roll_deg,
             "focal_relative": given.focal_relative,
             "position_m": given.position_m,
             "dem_m": given.dem_m,

@@ -1382,6 +1382,23 @@
         <translation>Das Foto hat keine GPS-Position.</translation>
     </message>
     <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Eine Datei je Foto (etwa 2 MB), nur für diese Erweiterung. Ein wiederholter Lauf nimmt daraus, was sich seither nicht geändert hat (Foto, Geländemodell, Einstellungen, Version der Erweiterung), sodass ein abgebrochener Lauf dort weitermacht, wo er war.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Ordner, der Orientierungen aufbewahrt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <location filename="../algorithms/viewer.py"/>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: übernommen aus {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/label_peaks.py"/>
         <source>Label peaks in photos</source>
         <translation>Gipfel in Fotos beschriften</translation>
@@ -1571,6 +1588,51 @@
         <location filename="../algorithms/legends.py"/>
         <source>more than 10 photos</source>
         <translation>mehr als 10 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>verdeckt, 200 m oder mehr zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>verdeckt, 50 m zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>verdeckt, 10 m zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just hidden</source>
+        <translation>gerade noch verdeckt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just seen</source>
+        <translation>gerade noch gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>gesehen, 10 m übrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>gesehen, 100 m oder mehr übrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (freier Himmel)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1929,8 +1991,8 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (angenommen: verlässlich), &lt;i&gt;ambiguous&lt;/i&gt; (mehrdeutig: eine andere Blickrichtung passt fast ebenso gut; siehe heading_2 und den Bericht), &lt;i&gt;rejected&lt;/i&gt; (verworfen: keine brauchbare Horizontlinie, oder nichts passt), &lt;i&gt;failed&lt;/i&gt; (gescheitert: die Eingabe ist schuld); &lt;b&gt;message&lt;/b&gt; sagt, warum und was zu tun ist. heading_lo und heading_hi schließen die wahre Blickrichtung mit 90 % ein.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (angenommen: verlässlich), &lt;i&gt;ambiguous&lt;/i&gt; (mehrdeutig: eine andere Blickrichtung passt fast ebenso gut; siehe heading_2 und den Bericht), &lt;i&gt;rejected&lt;/i&gt; (verworfen: keine brauchbare Horizontlinie, oder nichts passt), &lt;i&gt;failed&lt;/i&gt; (gescheitert: die Eingabe ist schuld); &lt;b&gt;message&lt;/b&gt; sagt, warum und was zu tun ist. heading_lo und heading_hi schließen die wahre Blickrichtung mit 90 % ein; bei einem angenommenen Foto dann, wenn seine Blickrichtung die richtige ist, und wie sicher das ist, sagt &lt;b&gt;p_correct&lt;/b&gt;.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -3065,12 +3127,6 @@
         <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
     </message>
     <message>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name}: übernommen aus {path}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/views.py"/>
         <source>Only used where the photograph itself is missing.</source>
         <translation>Nur verwendet, wo das Foto selbst fehlt.</translation>
@@ -3204,6 +3260,16 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
         <translation>Standardabweichung, für Wahrscheinlichkeiten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Fehler des Rollwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Er verschiebt, was weit von der Bildmitte liegt.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>

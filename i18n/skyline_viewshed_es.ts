@@ -1382,6 +1382,23 @@
         <translation>La foto no tiene posición GPS.</translation>
     </message>
     <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Un archivo por foto (unos 2 MB), solo para este complemento. Una ejecución repetida toma de él lo que no ha cambiado desde entonces (foto, MDE, ajustes, versión del complemento), de modo que una ejecución interrumpida sigue donde estaba.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Carpeta que conserva las orientaciones</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <location filename="../algorithms/viewer.py"/>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: tomado de {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/label_peaks.py"/>
         <source>Label peaks in photos</source>
         <translation>Rotular cimas en las fotos</translation>
@@ -1571,6 +1588,51 @@
         <location filename="../algorithms/legends.py"/>
         <source>more than 10 photos</source>
         <translation>más de 10 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen</source>
+        <translation>visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>oculto, 200 m o más de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>oculto, 50 m de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>oculto, 10 m de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just hidden</source>
+        <translation>apenas oculto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just seen</source>
+        <translation>apenas visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>visto, 10 m de sobra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>visto, 100 m o más de sobra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (cielo abierto)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1929,8 +1991,8 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (aceptada: fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambigua: otro rumbo encaja casi igual de bien; véanse heading_2 y el informe), &lt;i&gt;rejected&lt;/i&gt; (rechazada: sin línea del horizonte utilizable, o nada encaja), &lt;i&gt;failed&lt;/i&gt; (fallida: la entrada tiene la culpa); &lt;b&gt;message&lt;/b&gt; dice por qué y qué hacer. heading_lo y heading_hi encierran el rumbo verdadero con el 90 %.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (aceptada: fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambigua: otro rumbo encaja casi igual de bien; véanse heading_2 y el informe), &lt;i&gt;rejected&lt;/i&gt; (rechazada: sin línea del horizonte utilizable, o nada encaja), &lt;i&gt;failed&lt;/i&gt; (fallida: la entrada tiene la culpa); &lt;b&gt;message&lt;/b&gt; dice por qué y qué hacer. heading_lo y heading_hi encierran el rumbo verdadero con el 90 %; en una foto aceptada, si su rumbo es el correcto, y &lt;b&gt;p_correct&lt;/b&gt; dice cuán seguro es eso.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -3065,12 +3127,6 @@
         <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
     </message>
     <message>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name}: tomado de {path}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/views.py"/>
         <source>Only used where the photograph itself is missing.</source>
         <translation>Solo se usa donde falta la propia fotografía.</translation>
@@ -3204,6 +3260,16 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
         <translation>Desviación típica, para las probabilidades.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Error del alabeo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Desviación típica, para las probabilidades. Desplaza lo que queda lejos del centro de la imagen.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>

@@ -1382,6 +1382,23 @@
         <translation>La photo n'a pas de position GPS.</translation>
     </message>
     <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Un fichier par photo (environ 2 Mo), pour cette extension seule. Une exécution répétée y reprend ce qui n'a pas changé depuis (photo, MNT, réglages, version de l'extension), si bien qu'une exécution interrompue continue là où elle en était.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Dossier qui conserve les orientations</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/kept_orientations.py"/>
+        <location filename="../algorithms/viewer.py"/>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name} : repris de {path}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/label_peaks.py"/>
         <source>Label peaks in photos</source>
         <translation>Étiqueter les sommets dans les photos</translation>
@@ -1571,6 +1588,51 @@
         <location filename="../algorithms/legends.py"/>
         <source>more than 10 photos</source>
         <translation>plus de 10 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen</source>
+        <translation>vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>caché, 200 m ou plus trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>caché, 50 m trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>caché, 10 m trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just hidden</source>
+        <translation>tout juste caché</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>just seen</source>
+        <translation>tout juste vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>vu, 10 m de marge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>vu, 100 m de marge ou plus</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (ciel dégagé)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_places.py"/>
@@ -1929,8 +1991,8 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt; : &lt;i&gt;accepted&lt;/i&gt; (acceptée : fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambiguë : un autre azimut convient presque aussi bien ; voir heading_2 et le rapport), &lt;i&gt;rejected&lt;/i&gt; (rejetée : pas de ligne d'horizon utilisable, ou rien ne convient), &lt;i&gt;failed&lt;/i&gt; (échec : l'entrée est en cause) ; &lt;b&gt;message&lt;/b&gt; dit pourquoi et que faire. heading_lo et heading_hi encadrent le vrai azimut à 90 %.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; : &lt;i&gt;accepted&lt;/i&gt; (acceptée : fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambiguë : un autre azimut convient presque aussi bien ; voir heading_2 et le rapport), &lt;i&gt;rejected&lt;/i&gt; (rejetée : pas de ligne d'horizon utilisable, ou rien ne convient), &lt;i&gt;failed&lt;/i&gt; (échec : l'entrée est en cause) ; &lt;b&gt;message&lt;/b&gt; dit pourquoi et que faire. heading_lo et heading_hi encadrent le vrai azimut à 90 % ; pour une photo acceptée, si son azimut est le bon, et &lt;b&gt;p_correct&lt;/b&gt; dit à quel point c'est sûr.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -3065,12 +3127,6 @@
         <translation>Annulé après {done} bassins visuels sur {count}.</translation>
     </message>
     <message>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name} : repris de {path}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/views.py"/>
         <source>Only used where the photograph itself is missing.</source>
         <translation>Utilisé seulement là où la photo elle-même manque.</translation>
@@ -3204,6 +3260,16 @@
         <location filename="../algorithms/viewshed_extras.py"/>
         <source>Standard deviation, for probabilities.</source>
         <translation>Écart type, pour les probabilités.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Erreur du roulis (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Écart type, pour les probabilités. Elle déplace ce qui est loin du milieu de l'image.</translation>
     </message>
     <message>
         <location filename="../algorithms/viewshed_extras.py"/>

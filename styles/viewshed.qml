@@ -28,7 +28,7 @@
     <provider>
       <resampling zoomedInResamplingMethod="nearestNeighbour" zoomedOutResamplingMethod="nearestNeighbour" maxOversampling="2" enabled="false"/>
     </provider>
-    <rasterrenderer opacity="0.65" type="singlebandpseudocolor" nodataColor="" classificationMin="nan" alphaBand="-1" band="1" classificationMax="nan">
+    <rasterrenderer opacity="0.65" type="singlebandpseudocolor" nodataColor="" classificationMin="0" alphaBand="-1" band="1" classificationMax="65534">
       <minMaxOrigin>
         <limits>None</limits>
         <extent>WholeRaster</extent>

@@ -1,4 +1,7 @@
-"""Build styles/*.qml with PyQGIS, so that they hold what this script says and nothing from anyone's desktop."""
+"""Build the styles of photo points, polygons and horizons with PyQGIS.
+
+So they hold what this script says, and nothing from anyone's desktop.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,6 @@ from qgis.core import (
     QgsApplication,
     QgsCategorizedSymbolRenderer,
     QgsClassificationEqualInterval,
-    QgsColorRampShader,
     QgsEditorWidgetSetup,
     QgsFillSymbol,
     QgsGeometryGeneratorSymbolLayer,
@@ -18,11 +20,8 @@ from qgis.core import (
     QgsGraduatedSymbolRenderer,
     QgsMarkerSymbol,
     QgsProperty,
-    QgsRasterLayer,
-    QgsRasterShader,
     QgsRendererCategory,
     QgsSimpleFillSymbolLayer,
-    QgsSingleBandPseudoColorRenderer,
     QgsSingleSymbolRenderer,
     QgsSvgMarkerSymbolLayer,
     QgsSymbol,
@@ -64,7 +63,6 @@ def main():
     from skyline_viewshed.algorithms.horizon_profile import horizon_specs
 
     save(horizon(vector_layer("Point", qgis_fields(horizon_specs()))), "horizon")
-    save_viewshed()
 
 
 def vector_layer(kind, fields):
@@ -221,31 +219,6 @@ def horizon(layer):
     renderer.updateColorRamp(ramp)
     layer.setRenderer(renderer)
     return layer
-
-
-def save_viewshed():
-    """Counts of photos: unseen ground transparent, then from yellow to dark red."""
-    from osgeo import gdal
-
-    path = ROOT / "build" / "style.tif"
-    path.parent.mkdir(exist_ok=True)
-    dataset = gdal.GetDriverByName("GTiff").Create(str(path), 2, 2, 1, gdal.GDT_UInt16)
-    dataset.GetRasterBand(1).Fill(1)
-    dataset = None
-    layer = QgsRasterLayer(str(path), "style")
-    ramp = QgsColorRampShader(0, 65534, None, QgsColorRampShader.Type.Discrete)
-    classes = ((0, "#00ffffff", "not seen"), (1, "#ffc400", "1 photo"), (2, "#ff8f00", "2 photos"),
-               (3, "#f4511e", "3 photos"), (5, "#d81b60", "4 to 5 photos"), (10, "#8e24aa", "6 to 10 photos"),
-               (65534, "#311b92", "more than 10 photos"))  # fmt: skip
-    ramp.setColorRampItemList(
-        [QgsColorRampShader.ColorRampItem(value, QColor(colour), label) for value, colour, label in classes]
-    )
-    shader = QgsRasterShader()
-    shader.setRasterShaderFunction(ramp)
-    layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
-    layer.renderer().setOpacity(0.65)
-    save(layer, "viewshed")
-    path.unlink()
 
 
 if __name__ == "__main__":

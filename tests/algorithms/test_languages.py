@@ -147,3 +147,14 @@ def test_a_raster_s_legend_speaks_the_language(speaking, scene):
     translate_legend(layer)
     labels = [item.label for item in layer.renderer().shader().rasterShaderFunction().colorRampItemList()]
     assert labels[:2] == [catalogue["not seen"], catalogue["1 photo"]]
+
+
+def test_a_style_beside_a_file_speaks_the_language(speaking, tmp_path):
+    from xml.etree import ElementTree
+
+    from skyline_viewshed.algorithms.styling import dress_file
+
+    catalogue = speaking("fr")
+    dress_file(str(tmp_path / "a.tif"), "layers")
+    labels = [item.get("label") for item in ElementTree.parse(tmp_path / "a.qml").getroot().iter("item")]
+    assert labels[3:5] == [catalogue["just hidden"], catalogue["just seen"]] and labels[3] != "just hidden"

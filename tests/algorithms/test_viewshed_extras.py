@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 from osgeo import gdal, osr
-from qgis.core import QgsDistanceArea, QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsVectorLayer
+from qgis.core import (
+    QgsDistanceArea,
+    QgsFeature,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingException,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.terrain import Window
 
@@ -88,6 +96,13 @@ class TestLayers:
         assert [band.GetUnitType() for band in bands] == ["m", "degrees", "m", "px", "px"]
         assert all(np.isnan(band.GetNoDataValue()) for band in bands)
 
+    def test_qgis_draws_each_file_with_its_style(self, found):
+        folder = found[2]
+        for name, band, labels in (("layers", 3, 7), ("seen", 1, 2)):
+            layer = QgsRasterLayer(str(folder / name / "a.tif"), name)
+            assert (layer.renderer().type(), layer.renderer().band()) == ("singlebandpseudocolor", band)
+            assert len(layer.renderer().shader().rasterShaderFunction().colorRampItemList()) == labels
+
     def test_distances_are_those_on_the_ellipsoid(self, found, scene):
         measure = QgsDistanceArea()
         measure.setEllipsoid("EPSG:7030")
@@ -143,12 +158,11 @@ class TestLayers:
 class TestProbabilities:
     def test_without_errors_they_are_the_viewshed(self, call, points, scene, tmp_path):
         sure = {"heading_lo": scene.truth["west"].heading_deg, "heading_hi": scene.truth["west"].heading_deg}
-        none = {"POSITION_ERROR": 0, "DEM_ERROR": 0, "PITCH_ERROR": 0, "FOCAL_ERROR": 0}
+        none = {"POSITION_ERROR": 0, "DEM_ERROR": 0, "PITCH_ERROR": 0, "ROLL_ERROR": 0, "FOCAL_ERROR": 0}
         folders = {"PROBABILITIES": str(tmp_path / "p"), "RASTERS": str(tmp_path / "r")}
         results, _ = call(points(("west", "a.jpg", {**sure, "roll": 0.0})), **folders, **none)
         chance = on_dem(tmp_path / "p" / "a.tif", scene, 0.0)[0]
         seen = on_dem(tmp_path / "r" / "a.tif", scene, 0)[0] == 1
-        # The roll has no parameter: its usual half a degree moves only cells at the frame's edges.
         assert (chance[seen] > 0.99).mean() > 0.95 and (chance[~seen] > 0.5).sum() < 0.03 * seen.sum()
         row = rows_of(results)["a.jpg"]
         assert row["p90_m2"] == pytest.approx(row["area_m2"], rel=0.08)
@@ -164,6 +178,18 @@ class TestProbabilities:
             assert np.nanmin(bands) >= 0 and np.nanmax(bands) <= 1
             assert row["p50_m2"] == pytest.approx((bands >= 0.5).sum() * 75.0**2, rel=0.01)
             assert "probability" in dataset.GetRasterBand(1).GetDescription()
+            assert (tmp_path / "p" / f"{name}.qml").exists()
+
+    def test_an_unsure_roll_shows_less_for_sure_and_the_usual_one_is_half_a_degree(self, call, points, tmp_path):
+        # Looking down, so that ground fills the picture to its corners.
+        layer, folder = points(("west", "a.jpg", {"pitch": -20.0})), {"PROBABILITIES": str(tmp_path / "p")}
+        usual, _ = call(layer, **folder)
+        same, feedback = call(layer, **folder, ROLL_ERROR=0.5)
+        assert any("taken from" in info for info in feedback.infos), "what older runs have left still counts"
+        unsure, feedback = call(layer, **folder, ROLL_ERROR=15.0)
+        assert not any("taken from" in info for info in feedback.infos)
+        usual, same, unsure = (rows_of(results)["a.jpg"]["p90_m2"] for results in (usual, same, unsure))
+        assert 0 < unsure < 0.95 * usual and same == usual
 
     def test_other_areas_have_none_and_say_so(self, call, points, tmp_path):
         results, feedback = call(points(("west", "a.jpg", {})), PROBABILITIES=str(tmp_path / "p"), SECTOR=2)
@@ -341,4 +367,4 @@ def test_progress_only_grows_and_extras_can_be_cancelled(run, points, scene, lis
     with pytest.raises(QgsProcessingException, match="Cancelled"):
         given = {**given, "PROBABILITIES": str(tmp_path / "q"), "OUTPUT": str(tmp_path / "w.tif")}
         run("directedviewshed", given, AtTheFirstProbability())
-    assert [path.name for path in (tmp_path / "q").iterdir()] == ["a.tif"] and not (tmp_path / "w.tif").exists()
+    assert [path.name for path in (tmp_path / "q").glob("*.tif")] == ["a.tif"] and not (tmp_path / "w.tif").exists()
