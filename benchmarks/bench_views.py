@@ -25,10 +25,10 @@ from skyline_viewshed.core.angles import difference, wrap_360
 from skyline_viewshed.core.batch import HorizonCache, orient_request
 from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px, project, unproject
 from skyline_viewshed.core.compass import CompassOptions, compass_prior
+from skyline_viewshed.core.inner_terrain import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
-from skyline_viewshed.core.ridges import occlusion_edges
 from skyline_viewshed.core.terrain import Observer
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -94,7 +94,7 @@ def measure(folder, given):
             continue
         observer = Observer(base.longitude_deg, base.latitude_deg)
         photo = read_photo(str(Path(folder) / "photos" / line["photo"]), SOURCE_PX)
-        ridges = occlusion_edges(dem, observer, options.ridges)
+        inner = inner_terrain(dem, observer, options.inner)
         for number in range(given.count):
             drawn = draw_view(base, generator)
             if drawn is None:
@@ -116,7 +116,7 @@ def measure(folder, given):
                 options,
                 hints,
                 base.horizon,
-                ridges,
+                inner,
             ).orientation
             spent = time.process_time() - started
             if given.pictures:

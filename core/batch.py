@@ -16,13 +16,13 @@ from .compass import compass_prior, true_heading_deg
 from .curvature import apparent_drop_m
 from .declination import declination_deg
 from .errors import MissingMetadataError, MissingPackageError, PhotoError
+from .inner_terrain import inner_terrain
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
 from .model import Orientation, OrientedPhoto
 from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
 from .prior import HeadingPrior, Landmark
 from .progress import SILENT, subtask
-from .ridges import occlusion_edges
 from .skyline_given import evidence_from_line, evidence_from_mask
 from .terrain import Observer, eye_elevation_m, ground_elevation_m
 
@@ -103,15 +103,15 @@ class PhotoRequest:
 
 
 class HorizonCache:
-    """The last horizons and inner ridges, for photographs taken from one station.
+    """The last horizons and the terrain below them, for photographs taken from one station.
 
     Parameters
     ----------
     size : int
-        Stations kept; each takes about 200 kB.
+        Stations kept; each takes about 4 MB.
     """
 
-    def __init__(self, size=32):
+    def __init__(self, size=16):
         self.size = size
         self._kept = OrderedDict()
 
@@ -119,9 +119,9 @@ class HorizonCache:
         """Give the observer's horizon, cast anew only where it is not among the last ones."""
         return self._look_up(cast_horizon, dem, observer, options, progress)
 
-    def ridges(self, dem, observer, options, progress=SILENT):
-        """Give the observer's inner ridges in the same way."""
-        return self._look_up(occlusion_edges, dem, observer, options, progress)
+    def inner(self, dem, observer, options, progress=SILENT):
+        """Give the terrain below the observer's horizon in the same way."""
+        return self._look_up(inner_terrain, dem, observer, options, progress)
 
     def _look_up(self, compute, dem, observer, options, progress):
         key = (compute, id(dem), observer, options)
@@ -176,9 +176,9 @@ def _orient(request, dem, options, cache, progress):
     error = request.position_error_m
     if error is None and not given:
         error = metadata.position_error_m
-    ridges = None if paper else cache.ridges(dem, observer, options.ridges)
+    inner = None if paper else cache.inner(dem, observer, options.inner)
     oriented = orient_photo(
-        photo, dem, observer, prior, options, hints, horizon, ridges, error or TYPICAL_POSITION_ERROR_M,
+        photo, dem, observer, prior, options, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M,
         subtask(progress, 0.4, 1.0),
     )  # fmt: skip
     notes = metadata.notes + _eye_notes(metadata, oriented) + oriented.orientation.notes

@@ -11,9 +11,12 @@ right and up in focal lengths; the roll turns (u, v), distortion and focal lengt
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+
+from .angles import wrap_360
+from .camera import Pose
 
 PARAMETERS = ("heading_deg", "pitch_deg", "roll_deg", "log_focal", "k1")
 """Columns of a (K, 5) array of trials; log_focal is relative to the prior camera, k1 adds to the camera's own."""
@@ -26,6 +29,16 @@ LARGEST_SLIP = 0.02
 
 STEEPEST = 10.0
 """Limit on the horizon's slope in the picture, where overhangs and edges make it unbounded."""
+
+
+def pose_of(trial):
+    """Pose of one trial."""
+    return Pose(float(wrap_360(trial[0])), float(trial[1]), float(trial[2]))
+
+
+def lens_of(camera, trial):
+    """Camera of one trial, from the prior camera at any scale."""
+    return replace(camera, focal_px=float(camera.focal_px * np.exp(trial[3])), k1=float(camera.k1 + trial[4]))
 
 
 class HorizonCurve:

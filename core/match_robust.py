@@ -5,24 +5,25 @@ Stages and measurements are described in docs/accuracy.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 
 from .angles import wrap_360
-from .camera import Pose
 from .match_calibration import table
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .match_finding import examine
-from .match_geometry import HorizonCurve, horizon_rows
+from .match_geometry import HorizonCurve, horizon_rows, lens_of, pose_of
+from .match_ground import GroundMatchOptions
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
+from .match_inner import InnerEvidence
 from .match_judge import Answers, judge
 from .match_paper import correlation, sharpness
 from .match_posterior import PosteriorOptions, interval, verdict
 from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
-from .match_ridges import RidgeEvidence, RidgeMatchOptions
+from .match_ridges import RidgeMatchOptions
 from .match_search import SearchOptions, coarse_search
 from .model import Candidate, Orientation
 from .progress import SILENT, subtask
@@ -37,7 +38,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    evidence, search, refine, ridges, posterior : options of the stages
+    evidence, search, refine, ridges, ground, posterior : options of the stages
     short_scales : tuple of float
         Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then as fine as the
         right answer can stand, since at a wide tolerance a wrong answer scores like a right one.
@@ -53,6 +54,7 @@ class RobustOptions:
     search: SearchOptions = field(default_factory=SearchOptions)
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
+    ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     short_scales: tuple = (3.0, 1.0, 0.5)
     full_fits: int = 14
@@ -68,7 +70,7 @@ def match_robust(
     heading_prior=None,
     landmarks=(),
     position_error_m=None,
-    ridges=None,
+    inner=None,
     progress=SILENT,
 ):
     """Find where a photograph looks, and say how sure that is.
@@ -84,8 +86,8 @@ def match_robust(
     landmarks : sequence of prior.Landmark
     position_error_m : float or None
         Standard deviation of the observer's position [m]; None takes 8 m.
-    ridges : ridges.RidgeEdges or None
-        Crests inside the terrain, for second evidence.
+    inner : inner_terrain.InnerTerrain or None
+        Crests and ground below the horizon, for second evidence.
     progress : Progress
 
     Returns
@@ -98,7 +100,7 @@ def match_robust(
     if refusal:
         return Orientation("rejected", refusal)
     answers = find_answers(
-        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress
+        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress
     )
     answers, probability = judge(answers, heading_prior)
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
@@ -107,7 +109,7 @@ def match_robust(
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     full = camera_prior.camera
     candidates = tuple(
-        Candidate(_pose(trial), _lens(full, trial), float(value), float(share))
+        Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
         for trial, value, share in zip(trials, score, probability)
     )
     residual, ncc = _skyline_residual(answers.objective, trials[:1], evidence, full)
@@ -157,7 +159,7 @@ def _refusal(evidence, horizon, landmarks):
 
 
 def find_answers(
-    evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, ridges, progress=SILENT
+    evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress=SILENT
 ):
     """Search and fit, without judging: what `match_robust` and the calibration share; see there."""
     height, width = evidence.probability.shape
@@ -178,12 +180,8 @@ def find_answers(
     starts = [starting_pose(camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     starts = np.concatenate([starts, coarse.candidates])
-    crests = None
-    if ridges is not None and evidence.ridge_score is not None and options.ridges.weight > 0:
-        error = options.refine.terrain_error_cells
-        crests = RidgeEvidence(evidence.ridge_score, ridges, horizon.cell_m, error, options.ridges)
-
-    trials, score = _fit(objective, starts, crests, heading_prior, options, subtask(progress, 0.4, 1.0))
+    second = InnerEvidence(objective, evidence, inner, options)
+    trials, score = _fit(objective, starts, second, heading_prior, options, subtask(progress, 0.4, 1.0))
     look = partial(
         examine,
         objective,
@@ -199,26 +197,18 @@ def _belief(heading_prior, heading_deg):
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
 
 
-def _crest_score(objective, trials, crests):
-    """What the crests inside the terrain add to the score of each trial."""
-    if crests is None:
-        return 0.0
-    rows, _ = objective.rows(trials, np.arange(objective.stack.shape[1]))
-    return crests.score(objective.camera, trials, rows)
-
-
-def _fit(objective, starts, crests, heading_prior, options, progress):
+def _fit(objective, starts, second, heading_prior, options, progress):
     """Short fits of all candidates, full fits of the best distinct ones; distinct trials and scores, best first.
 
     The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
     """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
-    score = score + _crest_score(objective, trials, crests) + _belief(heading_prior, trials[:, 0])
+    score = score + second.score(trials) + _belief(heading_prior, trials[:, 0])
     kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
     best, best_score = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
-    best_score = best_score + _crest_score(objective, best, crests)
+    best_score = best_score + second.score(best)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept]
@@ -233,14 +223,6 @@ def _best_over_scales(objective, trials, scales, stride, progress):
         better = score > best_score
         best[better], best_score[better] = trials[better], score[better]
     return best, best_score
-
-
-def _pose(trial):
-    return Pose(float(wrap_360(trial[0])), float(trial[1]), float(trial[2]))
-
-
-def _lens(camera, trial):
-    return replace(camera, focal_px=float(camera.focal_px * np.exp(trial[3])), k1=float(camera.k1 + trial[4]))
 
 
 def _skyline_residual(objective, trial, evidence, full):

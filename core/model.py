@@ -121,6 +121,8 @@ class SkylineEvidence:
         Evidence of an interior ridge (occlusion edge) per pixel, 0 or more, for second evidence.
     leaves_frame : (w,) float32 array or None
         Probability that terrain fills the column, so that its skyline lies above the picture; None: nowhere.
+    thumbnail : (h', w', 3) float32 array or None
+        The picture itself, RGB 0 to 255, much reduced and NaN where it was cut off, for second evidence.
     """
 
     probability: np.ndarray
@@ -131,6 +133,7 @@ class SkylineEvidence:
     sky_score: np.ndarray | None = None
     ridge_score: np.ndarray | None = None
     leaves_frame: np.ndarray | None = None
+    thumbnail: np.ndarray | None = None
 
 
 @dataclass(frozen=True)

@@ -7,17 +7,18 @@ from dataclasses import dataclass, field, replace
 from .camera import Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
 from .errors import MissingMetadataError, ObserverError, SkylineNotFoundError
 from .horizon import HorizonOptions, horizon_profile
+from .inner_terrain import InnerOptions, inner_terrain
 from .match_paper import PaperMatchOptions, match_paper
 from .match_robust import RobustOptions, match_robust
 from .model import Orientation, OrientedPhoto, SkylineEvidence
 from .prior import CameraPrior, HeadingPrior
 from .progress import SILENT, subtask
 from .raycast_paper import PaperHorizonOptions, paper_horizon
-from .ridges import RidgeOptions, occlusion_edges
 from .skyline_evidence import EvidenceOptions as SkylineOptions
 from .skyline_evidence import skyline_evidence
 from .skyline_paper import PaperSkylineOptions, extract_skyline_paper
 from .terrain import ground_elevation_m
+from .thumbnail import thumbnail
 
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")
@@ -33,14 +34,14 @@ class OrientOptions:
         'robust', or 'paper' for the published method with its own field of view, range and straight rays.
     compass : str
         'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
-    horizon, ridges, skyline, robust : options of the robust method's stages
+    horizon, inner, skyline, robust : options of the robust method's stages
     paper_skyline, paper_horizon, paper_match : options of the published method's stages
     """
 
     method: str = "robust"
     compass: str = "ignore"
     horizon: HorizonOptions = field(default_factory=HorizonOptions)
-    ridges: RidgeOptions = field(default_factory=RidgeOptions)
+    inner: InnerOptions = field(default_factory=InnerOptions)
     skyline: SkylineOptions = field(default_factory=SkylineOptions)
     robust: RobustOptions = field(default_factory=RobustOptions)
     paper_skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
@@ -123,7 +124,7 @@ def orient_photo(
     options=OrientOptions(),  # noqa: B008 - frozen
     hints=Hints(),  # noqa: B008 - frozen
     horizon=None,
-    ridges=None,
+    inner=None,
     position_error_m=None,
     progress=SILENT,
 ):
@@ -141,8 +142,8 @@ def orient_photo(
     hints : Hints
     horizon : HorizonProfile or None
         Of this observer, where a photo of the same station has it already.
-    ridges : RidgeEdges or None
-        The same of the crests inside the terrain.
+    inner : InnerTerrain or None
+        The same of the terrain below it.
     position_error_m : float or None
         Standard deviation of the position [m].
     progress : Progress
@@ -164,10 +165,10 @@ def orient_photo(
         if options.method == "paper":
             orientation, skyline, evidence = _by_paper(photo, prior, horizon, options, rest)
         else:
-            if ridges is None:
-                ridges = occlusion_edges(terrain, observer, options.ridges)
+            if inner is None:
+                inner = inner_terrain(terrain, observer, options.inner)
             orientation, skyline, evidence = _robustly(
-                photo, prior, horizon, ridges, options, hints, position_error_m, rest
+                photo, prior, horizon, inner, options, hints, position_error_m, rest
             )
     except SkylineNotFoundError as error:
         orientation, skyline, evidence = Orientation("rejected", str(error)), None, None
@@ -188,11 +189,13 @@ def orient_photo(
     )
 
 
-def _robustly(photo, prior, horizon, ridges, options, hints, position_error_m, progress):
+def _robustly(photo, prior, horizon, inner, options, hints, position_error_m, progress):
     metadata = photo.metadata
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
+    elif evidence.thumbnail is None:  # a given skyline tells nothing of the picture below it
+        evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
     orientation = match_robust(
         evidence,
         prior,
@@ -201,7 +204,7 @@ def _robustly(photo, prior, horizon, ridges, options, hints, position_error_m, p
         hints.heading,
         hints.landmarks,
         position_error_m,
-        ridges,
+        inner,
         subtask(progress, 0.4, 1.0),
     )
     return orientation, evidence.best, evidence

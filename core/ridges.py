@@ -17,48 +17,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import imaging
-from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
-from .progress import SILENT, checkpoint
-from .terrain import Window, eye_elevation_m
-
 
 @dataclass(frozen=True)
 class RidgeOptions:
-    """How to look for crests.
+    """Which crests count.
 
     Attributes
     ----------
-    azimuth_step_deg : float
-        Spacing of the rays [degrees].
-    near_cells, near_m : float
-        The search starts at the larger of both [cells, m].
-    max_distance_m : float
-        And ends here [m].
-    max_cells : int
-        Half the side of the window read, so that memory and time are bounded; shortens the search in fine DEMs.
-    growth : float
-        Samples lie at least this share of their distance apart, and at least a cell.
     least_jump : float
         Crests are kept where the terrain seen next is this many times farther.
     least_depth_deg : float
         And where what is hidden lies this far below the line of sight [degrees].
-    refraction_coefficient : float
-        See `core.curvature`.
     """
 
-    azimuth_step_deg: float = 0.25
-    near_cells: float = 5.0
-    near_m: float = 300.0
-    max_distance_m: float = 60_000.0
-    max_cells: int = 2000
-    growth: float = 0.008
     least_jump: float = 1.1
     least_depth_deg: float = 0.05
-    refraction_coefficient: float = REFRACTION_COEFFICIENT
 
     def __post_init__(self):
-        if not (0 < self.azimuth_step_deg <= 10 and self.growth > 0 and self.least_jump > 1 and self.max_cells > 1):
+        if self.least_jump <= 1:
             raise ValueError(f"unusable search for ridges {self}")
 
 
@@ -79,61 +55,24 @@ class RidgeEdges:
     jump: np.ndarray
 
 
-def occlusion_edges(terrain, observer, options=RidgeOptions(), progress=SILENT):  # noqa: B008 - frozen
+def occlusion_edges(rays, options=RidgeOptions()):  # noqa: B008 - frozen
     """Find the crests in view of an observer, the horizon itself excepted.
 
     Parameters
     ----------
-    terrain : Terrain
-    observer : Observer
+    rays : ground_rays.GroundRays
+        Voids end a ray.
     options : RidgeOptions
-    progress : Progress
 
     Returns
     -------
     RidgeEdges
-        Sorted by azimuth. Voids end a ray.
-
-    Raises
-    ------
-    ObserverOutsideDemError, NoElevationAtObserverError
+        Sorted by azimuth.
     """
-    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, options.max_distance_m)
-    eye_m = eye_elevation_m(terrain, frame, observer)
-    reach = min(options.max_distance_m, options.max_cells * min(frame.cell_size_m))
-    distance = _distances(frame.cell_m, reach, options)
-    azimuth = np.arange(0, 360, options.azimuth_step_deg)
-    if len(distance) < 3:
+    azimuth, distance = rays.azimuth_deg, rays.distance_m
+    if not len(distance):
         return RidgeEdges(*np.zeros((4, 0)))
-    checkpoint(progress, 0.0)
-    turn = np.radians(azimuth)[:, None]
-    col, row = frame.to_pixel(distance * np.sin(turn), distance * np.cos(turn))
-    elevation = _sample(terrain, col, row)
-    checkpoint(progress, 0.7)
-    drop = apparent_drop_m(distance, options.refraction_coefficient)
-    tangent = (elevation - eye_m - drop) / distance
-    return _crests(azimuth, distance, tangent, options)
-
-
-def _distances(cell_m, reach_m, options):
-    near = max(options.near_cells * cell_m, options.near_m)
-    linear_end = min(max(cell_m / options.growth, near), reach_m)
-    linear = np.arange(near, linear_end, cell_m)
-    count = int(np.log(max(reach_m / linear_end, 1.0)) / np.log1p(options.growth)) + 1
-    return np.concatenate([linear, linear_end * (1 + options.growth) ** np.arange(count)])
-
-
-def _sample(terrain, col, row):
-    """Elevations at pixels of the whole raster, NaN outside and in voids."""
-    first_row, first_col = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
-    last_row, last_col = int(np.ceil(row.max())) + 2, int(np.ceil(col.max())) + 2
-    window = Window(first_row, first_col, last_row - first_row, last_col - first_col).clipped(terrain.shape)
-    cells = terrain.read(window)
-    return imaging.sample_bilinear(cells, col - window.col, row - window.row, outside=np.nan)
-
-
-def _crests(azimuth, distance, tangent, options):
-    tangent = np.where(np.isfinite(tangent), tangent, -np.inf)
+    tangent = np.where(np.isfinite(rays.tangent), rays.tangent, -np.inf)
     highest = np.maximum.accumulate(tangent, axis=1)
     visible = np.isfinite(tangent)
     visible[:, 1:] &= tangent[:, 1:] >= highest[:, :-1]

@@ -24,6 +24,7 @@ from .skyline_crop import find_crop
 from .skyline_features import boundary_features
 from .skyline_seam import best_line, row_marginals
 from .skyline_windows import means_above_below
+from .thumbnail import thumbnail
 
 WEIGHTS_PATH = Path(__file__).with_name("skyline_weights.json")
 SMALLEST_PX = 24
@@ -123,6 +124,7 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         _framed(ratio, crop, reduced.shape, 0),
         _framed(_ridges(appearance, probability), crop, reduced.shape, 0),
         np.pad(leaves_frame, (left, right)),
+        thumbnail(reduced, crop),
     )
 
 

@@ -73,10 +73,10 @@ def _solve(path, dem):
     """What the matcher finds, before it is judged; None where it refuses the picture."""
     from skyline_viewshed.core.errors import PhotoError
     from skyline_viewshed.core.horizon import horizon_profile
+    from skyline_viewshed.core.inner_terrain import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match_robust import find_answers
     from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
-    from skyline_viewshed.core.ridges import occlusion_edges
     from skyline_viewshed.core.skyline_evidence import skyline_evidence
     from skyline_viewshed.core.terrain import Observer
 
@@ -87,12 +87,12 @@ def _solve(path, dem):
     try:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
         horizon = horizon_profile(dem, observer, options.horizon)
-        ridges = occlusion_edges(dem, observer, options.ridges)
+        inner = inner_terrain(dem, observer, options.inner)
     except PhotoError:
         return None
     lens = camera_prior(metadata)
     position = metadata.position_error_m
-    return find_answers(evidence, lens, horizon, options.robust, None, (), position, ridges).finding
+    return find_answers(evidence, lens, horizon, options.robust, None, (), position, inner).finding
 
 
 def _row(name, finding, error_deg):
