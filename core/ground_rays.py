@@ -107,7 +107,7 @@ def cast_ground_rays(terrain, observer, options=RayOptions(), progress=SILENT): 
 def _distances(cell_m, reach_m, options):
     near = max(options.near_cells * cell_m, options.near_m)
     linear_end = min(max(cell_m / options.growth, near), reach_m)
-    linear = np.arange(near, linear_end, cell_m)
+    linear = np.arange(near, linear_end - 0.5 * cell_m, cell_m)
     count = int(np.log(max(reach_m / linear_end, 1.0)) / np.log1p(options.growth)) + 1
     return np.concatenate([linear, linear_end * (1 + options.growth) ** np.arange(count)])
 

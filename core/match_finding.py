@@ -51,14 +51,15 @@ class Finding:
         return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
 
 
-def examine(objective, trials, score, probability, position_error_m, floor_deg):
+def examine(objective, trials, score, scale, probability, position_error_m, floor_deg):
     """Gather a `Finding` from distinct trials, best first.
 
     Parameters
     ----------
     objective : match_refine.Objective
     trials : (K, 5) array
-    score : (K,) array
+    score, scale : (K,) arrays
+        `scale` is the multiple of the expected tolerance at which a trial fits best.
     probability : (h, w) array
         p(row | column).
     position_error_m : float or None
@@ -76,7 +77,7 @@ def examine(objective, trials, score, probability, position_error_m, floor_deg):
     return Finding(
         trials[:, 0],
         score,
-        heading_sigma_deg(objective, trials, position_error_m, floor_deg),
+        heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg),
         float(np.degrees(relief_px(columns[inside], row[inside]) / objective.camera.focal_px)),
         float(np.mean(value > np.log(3.0))),
         float(np.median(miss)) if len(miss) else float(objective.stack.shape[0]),
@@ -86,19 +87,20 @@ def examine(objective, trials, score, probability, position_error_m, floor_deg):
     )
 
 
-def heading_sigma_deg(objective, trials, position_error_m, floor_deg):
+def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     """Standard deviation of each trial's heading [degrees], at most 30.
 
     The inverse curvature of the score gives what the picture leaves open. Two errors shift the whole horizon and do
-    not show in it: the DEM's, c cells, and the position's, both over the terrain's distance.
+    not show in it: the DEM's, c cells, and the position's, both over the terrain's distance. A trial that fits best
+    at a wider tolerance (`scale`) says that the DEM, or the lens, is so much worse here than expected.
     """
-    _, _, curvature = objective.expand(trials, 1.5)
+    _, _, curvature = objective.expand(trials, 1.5 * scale)
     free = np.flatnonzero(objective.free)
     information = curvature[np.ix_(range(len(trials)), free, free)] * objective.options.effective_columns
     covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
     _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trials, objective.columns(4))
     distance = np.median(objective.curve.distance_m[objective.curve.nearest(azimuth)], axis=1)
-    terrain = np.degrees(objective.options.terrain_error_cells * objective.curve.cell_m / distance)
+    terrain = np.degrees(scale * objective.options.terrain_error_cells * objective.curve.cell_m / distance)
     shift = np.degrees((TYPICAL_POSITION_ERROR_M if position_error_m is None else position_error_m) / distance)
     return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
 

@@ -30,21 +30,24 @@ class Answers:
     coarse : CoarseResult
     trials : (K, 5) array
         See `match_geometry.PARAMETERS`; best first.
+    scale : (K,) array
+        Multiple of the expected tolerance at which each fits best.
     finding : Finding
     look : callable
-        Trials, best first, and their scores -> Finding.
+        Trials, best first, their scores and scales -> Finding.
     """
 
     objective: Objective
     coarse: CoarseResult
     trials: np.ndarray
+    scale: np.ndarray
     finding: Finding
     look: Callable
 
     def reordered(self, order):
         """The same answers, with another one first."""
-        trials = self.trials[order]
-        return replace(self, trials=trials, finding=self.look(trials, self.finding.score[order]))
+        trials, scale = self.trials[order], self.scale[order]
+        return replace(self, trials=trials, scale=scale, finding=self.look(trials, self.finding.score[order], scale))
 
 
 def judge(answers, heading_prior=None):

@@ -48,7 +48,7 @@ class RefineOptions:
 
     terrain_error_cells: float = 0.25
     pixel_error_px: float = 2.0
-    error_scales: tuple = (0.35, 0.7, 1.0, 1.5, 2.0, 3.0)
+    error_scales: tuple = (0.15, 0.35, 0.7, 1.0, 1.5, 2.0, 3.0)
     effective_columns: float = 15.0
     roll_sigma_deg: float = 3.0
     k1_sigma: float = 0.0

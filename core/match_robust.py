@@ -13,7 +13,7 @@ import numpy as np
 from .angles import wrap_360
 from .match_calibration import table
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
-from .match_finding import examine
+from .match_finding import examine, relief_px
 from .match_geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .match_ground import GroundMatchOptions
 from .match_hints import landmark_notes, scale_landmarks, starting_pose
@@ -173,7 +173,7 @@ def find_answers(
         camera,
         curve,
         evidence.probability,
-        options.search.for_field(camera.hfov_deg),
+        options.search.for_picture(camera.hfov_deg, _skyline_relief_deg(evidence, stack, camera)),
         subtask(progress, 0.0, 0.4),
         partial(_belief, heading_prior),
     )
@@ -181,7 +181,7 @@ def find_answers(
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     starts = np.concatenate([starts, coarse.candidates])
     second = InnerEvidence(objective, evidence, inner, options)
-    trials, score = _fit(objective, starts, second, heading_prior, options, subtask(progress, 0.4, 1.0))
+    trials, score, scale = _fit(objective, starts, second, heading_prior, options, subtask(progress, 0.4, 1.0))
     look = partial(
         examine,
         objective,
@@ -189,7 +189,14 @@ def find_answers(
         position_error_m=position_error_m,
         floor_deg=options.heading_floor_deg,
     )
-    return Answers(objective, coarse, trials, look(trials, score), look)
+    return Answers(objective, coarse, trials, scale, look(trials, score, scale), look)
+
+
+def _skyline_relief_deg(evidence, stack, camera):
+    """Spread of the likeliest rows about a straight line [degrees]: what the search has to tell headings apart."""
+    columns = stack.informative
+    spread_px = relief_px(columns, evidence.probability[:, columns].argmax(axis=0))
+    return float(np.degrees(spread_px / camera.focal_px))
 
 
 def _belief(heading_prior, heading_deg):
@@ -198,31 +205,32 @@ def _belief(heading_prior, heading_deg):
 
 
 def _fit(objective, starts, second, heading_prior, options, progress):
-    """Short fits of all candidates, full fits of the best distinct ones; distinct trials and scores, best first.
+    """Short fits of all candidates, full fits of the best distinct ones; distinct trials, scores and
+    scales of tolerance, best first.
 
     The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
     """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
-    trials, score = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
+    trials, score, _ = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
     score = score + second.score(trials) + _belief(heading_prior, trials[:, 0])
     kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
-    best, best_score = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
+    best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
     best_score = best_score + second.score(best)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
-    return best[kept], best_score[kept]
+    return best[kept], best_score[kept], scale[kept]
 
 
 def _best_over_scales(objective, trials, scales, stride, progress):
-    """Fit all trials at one tolerance after the other; each keeps its best place and score."""
-    best, best_score = trials.copy(), np.full(len(trials), -np.inf)
+    """Fit all trials at one tolerance after the other; each keeps its best place, score and scale."""
+    best, best_score, best_scale = trials.copy(), np.full(len(trials), -np.inf), np.ones(len(trials))
     for index, scale in enumerate(scales):
         part = subtask(progress, index / len(scales), (index + 1) / len(scales))
         trials, score = refine(objective, trials, scale, stride, progress=part)
         better = score > best_score
-        best[better], best_score[better] = trials[better], score[better]
-    return best, best_score
+        best[better], best_score[better], best_scale[better] = trials[better], score[better], scale
+    return best, best_score, best_scale
 
 
 def _skyline_residual(objective, trial, evidence, full):

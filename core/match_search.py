@@ -36,26 +36,27 @@ class SearchOptions:
         Blur of the evidence.
     pitch_step_deg : float
         Between resamplings; smaller shifts of pitch come from the raster.
-    rolls_deg : tuple of float
-        Trial rolls.
+    largest_roll_deg : float
+        Trial rolls reach so far to both sides, and lie as close as the field and the tolerance ask: in a wide picture a
+        roll between two of them would lift one side of the horizon and lower the other out of reach.
     keep, separation_deg : int, float
         Candidates handed on and their smallest distance.
     narrow_deg : float
-        Fields of view below this are searched at half the step, with more and closer candidates: they hold few
-        steps, and a rival that is missed makes a wrong answer look sure.
+        Fields of view below this, and skylines whose relief is below a step, are searched at half the step, with more
+        and closer candidates: they hold few steps, and a rival that is missed makes a wrong answer look sure.
     """
 
     step_deg: float = 0.4
     tolerance_deg: float = 0.3
     pitch_step_deg: float = 3.0
-    rolls_deg: tuple = (-5.0, 0.0, 5.0)
+    largest_roll_deg: float = 5.0
     keep: int = 60
     separation_deg: float = 2.0
     narrow_deg: float = 24.0
 
-    def for_field(self, hfov_deg):
-        """Options for a picture's field of view."""
-        if hfov_deg >= self.narrow_deg:
+    def for_picture(self, hfov_deg, relief_deg):
+        """Options for a picture's field of view and the relief of its skyline."""
+        if hfov_deg >= self.narrow_deg and relief_deg >= self.step_deg:
             return self
         return replace(
             self,
@@ -65,8 +66,15 @@ class SearchOptions:
             separation_deg=0.75 * self.separation_deg,
         )
 
+    def rolls_deg(self, hfov_deg):
+        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.5 tolerances (rms)."""
+        columns_rms_deg = hfov_deg / np.sqrt(12)
+        half_step = np.degrees(np.arctan(1.5 * self.tolerance_deg / columns_rms_deg))
+        count = max(int(np.ceil(self.largest_roll_deg / (2 * half_step))), 1)
+        return np.linspace(-self.largest_roll_deg, self.largest_roll_deg, 2 * count + 1)
+
     def __post_init__(self):
-        if not 0 < self.step_deg <= 2 or not self.rolls_deg or self.keep < 1:
+        if not 0 < self.step_deg <= 2 or not self.largest_roll_deg > 0 or self.keep < 1:
             raise ValueError(f"unusable search grid {self}")
 
 
@@ -115,11 +123,12 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     # One more row, which stands for all that is above the picture.
     evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
     pitches = _trial_pitches(probability, camera, elevation, options.pitch_step_deg)
+    rolls = options.rolls_deg(camera.hfov_deg)
     best = np.full(count, -np.inf)
     best_pitch, best_roll = np.zeros(count), np.zeros(count)
     for index, pitch in enumerate(pitches):
         checkpoint(progress, index / len(pitches))
-        for roll in options.rolls_deg:
+        for roll in rolls:
             scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, step, options.pitch_step_deg)
             winner = scores.argmax(axis=0)
             top = scores[winner, np.arange(count)]

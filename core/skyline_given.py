@@ -11,6 +11,12 @@ WORK_PX = 512
 MASK_SIGMA_PX = 1.0
 """How far a mask's edge is trusted [pixels of the reduced picture]."""
 
+HAND_SHARE = 300
+"""A hand draws to a 300th of the picture's long side."""
+
+TRACE_SIGMA_PX = 1.0
+"""Best precision of a line that a program traced [pixels of the full picture]."""
+
 OUTLIER_SHARE = 0.02
 """Share of a given column's probability spread over all rows."""
 
@@ -55,7 +61,8 @@ def evidence_from_line(x_px, row_px, width_px, height_px, sigma_px=None):
     width_px, height_px : int
         Size of the full picture [pixels].
     sigma_px : float, optional
-        Precision of the drawing [pixels of the full picture]; by default a 300th of the long side.
+        Precision of the drawing [pixels of the full picture]. By default a 300th of the long side, as a hand draws;
+        but never coarser than the vertices lie apart, since who gives a row for every column means it so.
 
     Returns
     -------
@@ -77,8 +84,16 @@ def evidence_from_line(x_px, row_px, width_px, height_px, sigma_px=None):
     with np.errstate(invalid="ignore"):
         line = np.where((line >= 0) & (line <= height_px - 1), line, np.nan)
     scale = _reduction(width_px, height_px)
-    sigma = (max(width_px, height_px) / 300 if sigma_px is None else sigma_px) * scale
+    if sigma_px is None:
+        sigma_px = _drawing_sigma_px(x_px[known][order], max(width_px, height_px))
+    sigma = sigma_px * scale
     return _evidence_from_rows(line, height_px, width_px, height_px, max(sigma, 0.5))
+
+
+def _drawing_sigma_px(x_px, long_side_px):
+    """Precision of a line by its vertices, in order of x [pixels]."""
+    spacing = float(np.median(np.diff(x_px)))
+    return min(max(spacing, TRACE_SIGMA_PX), long_side_px / HAND_SHARE)
 
 
 def _reduction(width_px, height_px):

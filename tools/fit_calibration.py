@@ -29,7 +29,7 @@ from skyline_viewshed.core.match_calibration import LARGEST_STANDARD, TABLE_PATH
 USED = ("relative_gap", "score", "log_relief", "log_misfit", "log_hfov")
 RIGHT_DEG = 3.0
 PENALTY = 1.0
-LEAST_FACTOR = 0.6
+LEAST_FACTOR = 1.0
 
 
 def main(arguments=None):
