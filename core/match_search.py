@@ -49,7 +49,7 @@ class SearchOptions:
     step_deg: float = 0.4
     tolerance_deg: float = 0.3
     pitch_step_deg: float = 3.0
-    largest_roll_deg: float = 5.0
+    largest_roll_deg: float = 8.0
     keep: int = 60
     separation_deg: float = 2.0
     narrow_deg: float = 24.0
