@@ -14,7 +14,7 @@ from .progress import SILENT, checkpoint
 BULGE = 0.25
 """The surface between grid lines is looked at where the best sample on them is not this far below the floor [cells]."""
 
-BATCH = 512
+BATCH = 2048
 """Intervals sampled at once: some ten thousand samples stay in the processor's cache."""
 
 
