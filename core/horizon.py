@@ -132,7 +132,7 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7), columns)
     sight = Sight(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
-    search = Search(terrain, sight, blocks, summit_m, window if terrain.whole else None)
+    search = Search(terrain, sight, blocks, summit_m)
     tangent, distance, void, known_m = search.run(frame.cell_m, subtask(progress, 0.7, 1.0))
     return _profile(rays, options, eye_m, frame.cell_m, summit_m, tangent, distance, void, known_m)
 

@@ -48,11 +48,23 @@ class BlockMaxima:
 
     def index(self, col_px, row_px):
         """Block (row, column) under pixels of the whole raster, held inside the window."""
-        places = []
-        for place, start, count in zip((row_px, col_px), (self.window.row, self.window.col), self.highest_m.shape):
-            index = (np.asarray(place) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
-            places.append(np.minimum(np.maximum(index, 0.0), count - 1).astype(np.intp))
-        return tuple(places)
+        return tuple(self._held(self.scaled(place, axis), axis) for axis, place in enumerate((row_px, col_px)))
+
+    def scaled(self, place_px, axis):
+        """Rows (`axis` 0) or columns (1) of the whole raster, counted in blocks of the window."""
+        start = self.window.col if axis else self.window.row
+        return (np.asarray(place_px) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
+
+    def flat_index(self, block_row, block_col):
+        """Places in the flattened tables of rows and columns counted in blocks, which are overwritten."""
+        row, col = (self._held(place, axis, place) for axis, place in enumerate((block_row, block_col)))
+        row *= self.highest_m.shape[1]
+        row += col
+        return row
+
+    def _held(self, place, axis, out=None):
+        place = np.minimum(place, self.highest_m.shape[axis] - 1, out=out)
+        return np.maximum(place, 0.0, out=out).astype(np.intp)
 
     def highest_around(self, col_px, row_px, half_px):
         """Highest known elevation within so many cells, at most half a block, of pixels of the whole raster [m]."""
@@ -134,14 +146,41 @@ def _maxima_of(strip, block):
     return lines
 
 
-def _with_neighbours(values):
-    """Maximum of each element and its eight neighbours. (SciPy's filter is no faster, and costs its import.)"""
+def _with_neighbours(values, radius=1):
+    """Maximum of each element and its neighbours. (SciPy's filter is no faster, and costs its import.)"""
     for _ in range(2):
         highest = values.copy()
-        np.maximum(highest[1:], values[:-1], out=highest[1:])
-        np.maximum(highest[:-1], values[1:], out=highest[:-1])
+        for step in range(1, radius + 1):
+            np.maximum(highest[step:], values[:-step], out=highest[step:])
+            np.maximum(highest[:-step], values[step:], out=highest[:-step])
         values = highest.T
     return np.ascontiguousarray(values)
+
+
+def highest_close_by(terrain, window, half_px):
+    """Look up what `BlockMaxima.highest_around` bounds, in a window of few cells and to a cell.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    window : Window
+        Inside the raster.
+    half_px : float
+        How far around a place [cells].
+
+    Returns
+    -------
+    callable
+        (column, row) of the whole raster [pixels] -> highest known elevation [m], -inf where nothing is known.
+    """
+    cells = terrain.read(window)
+    highest = _with_neighbours(np.where(np.isnan(cells), np.float32(-np.inf), cells), int(half_px + 0.5))
+
+    def at(col_px, row_px):
+        row = np.clip(np.rint(row_px).astype(np.intp) - window.row, 0, window.rows - 1)
+        return highest[row, np.clip(np.rint(col_px).astype(np.intp) - window.col, 0, window.cols - 1)]
+
+    return at
 
 
 class HeldTerrain:
@@ -176,27 +215,59 @@ class HeldTerrain:
 
     def read(self, window):
         """See `Terrain.read`; holds until the next reading, and is not to be written to."""
+        cells = self._kept_cells(window)
+        if cells is None:
+            size = window.rows * window.cols
+            cells = np.empty(size, np.float32) if size > len(self._scratch) else self._scratch[:size]
+            cells = cells.reshape(window.rows, window.cols)
+            read_into(self._terrain, window, cells)
+        return cells
+
+    def read_into(self, window, out):
+        """Read into a (rows, cols) float32 array."""
+        cells = self._kept_cells(window)
+        if cells is None:
+            read_into(self._terrain, window, out)
+        else:
+            out[...] = cells
+
+    def _kept_cells(self, window):
+        """The window's cells, read now if they are to be kept; None where they are not."""
         kept = self._kept
         row, col = window.row - kept.row, window.col - kept.col
         rows, cols = slice(row, row + window.rows), slice(col, col + window.cols)
         if row < 0 or col < 0 or rows.stop > kept.rows or cols.stop > kept.cols:
-            return self._read_once(window)
+            return None
         if self._first[rows].max(initial=0) > cols.start or self._last[rows].min(initial=kept.cols) < cols.stop:
-            self._read_into(window, self._cells[rows, cols])
+            if self._last[rows].any():  # lest what is known be forgotten
+                return None
+            read_into(self._terrain, window, self._cells[rows, cols])
             self._first[rows], self._last[rows] = cols.start, cols.stop
         return self._cells[rows, cols]
 
-    def _read_once(self, window):
-        size = window.rows * window.cols
-        if size > len(self._scratch):
-            return self._terrain.read(window)
-        cells = self._scratch[:size].reshape(window.rows, window.cols)
-        self._read_into(window, cells)
-        return cells
+    def held(self, row_px, col_px, margin_px):
+        """Tell around which pixels all cells up to a margin, with the interpolation's stencil, are in memory."""
+        kept = self._kept
+        if kept.rows == 0:
+            return np.zeros(len(row_px), bool)
+        (top, bottom), (left, right) = (
+            (np.maximum(np.floor(place - margin_px) - 1, 0) - start, np.minimum(place + margin_px + 2, end - 1) - start)
+            for place, start, end in ((row_px, kept.row, self.shape[0]), (col_px, kept.col, self.shape[1]))
+        )
+        known = (top >= 0) & (bottom < kept.rows)
+        for step in range(0, 2 * margin_px + 5 + STRIP_ROWS, STRIP_ROWS):  # columns are the same in all of a strip
+            row = np.clip(np.minimum(top + step, bottom), 0, kept.rows - 1).astype(np.intp)
+            known &= (self._first[row] <= left) & (self._last[row] > right)
+        return known
 
-    def _read_into(self, window, out):
-        """New memory costs more than the cells that come into it, so it is used again where the terrain lets us."""
-        if hasattr(self._terrain, "read_into"):
-            self._terrain.read_into(window, out)
-        else:
-            out[...] = self._terrain.read(window)
+    def kept(self):
+        """The window that is kept, and its cells."""
+        return self._kept, self._cells
+
+
+def read_into(terrain, window, out):
+    """Read a window into an array: new memory costs more than the cells that come into it, so it is used again."""
+    if hasattr(terrain, "read_into"):
+        terrain.read_into(window, out)
+    else:
+        out[...] = terrain.read(window)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .horizon_blocks import read_into
 from .terrain import Window
 
 TILE = 256
@@ -63,6 +64,41 @@ class Pieces:
             elevation[unknown] = _of_known(known, row_share[unknown], col_share[unknown])
         return elevation
 
+    def on_lines_m(self, line, place_px, columns):
+        """Elevation where rays cross whole columns (or rows): (J, K) [m]; `elevation_m` needs twice the work.
+
+        Parameters
+        ----------
+        line : (J, K) array
+            Columns (or rows) of the raster, whole numbers.
+        place_px : (J, K) array
+            Row (or column) of the crossings, monotonic along each job.
+        columns : bool
+            Whether the lines are columns.
+        """
+        first, count = (self.top, self.rows) if columns else (self.left, self.cols)
+        whole = np.floor(place_px)
+        lowest, highest = first[:, None], (first + np.maximum(count - 2, 0))[:, None]
+        ends = whole[:, [0, -1]]
+        outside = (ends < lowest).any() or (ends > highest).any()
+        if outside:  # half a cell beyond the outer centres
+            whole = np.minimum(np.maximum(whole, lowest, out=whole), highest)
+        share = place_px - whole
+        if outside:
+            share = np.minimum(np.maximum(share, 0.0, out=share), 1.0)
+        row, col = (whole, line) if columns else (line, whole)
+        corner = row * self.cols[:, None]
+        corner += col
+        corner += (self.corner - self.top * self.cols - self.left)[:, None]
+        corner = corner.astype(np.intp)
+        low = self.cells.take(corner)
+        corner += np.where(count > 1, self.cols if columns else 1, 0)[:, None]
+        high = self.cells.take(corner)
+        high -= low
+        share *= high
+        share += low
+        return share
+
 
 def _split(place_px, first, count):
     """Row (or column) before each pixel, counted from its window's first, and the share of the next one."""
@@ -107,11 +143,7 @@ def read_pieces(terrain, row_px, col_px, margin_px):
     """
     if len(row_px) == 0:
         return
-    rows, cols = terrain.shape
-    tile_row = np.clip(row_px, 0, rows - 1).astype(np.intp) // TILE
-    tile_col = np.clip(col_px, 0, cols - 1).astype(np.intp) // TILE
-    key = tile_row * (cols // TILE + 1) + tile_col
-    order = np.argsort(key, kind="stable")
+    order, key = by_tiles(row_px, col_px, terrain.shape)
     starts = np.flatnonzero(np.diff(key[order], prepend=-1))
     windows = _windows(row_px[order], col_px[order], starts, margin_px, terrain.shape)
     ends = np.append(starts[1:], len(order))
@@ -128,6 +160,15 @@ def read_pieces(terrain, row_px, col_px, margin_px):
         first = last
 
 
+def by_tiles(row_px, col_px, shape):
+    """Order in which places of one square follow one another, and the squares' numbers (not yet in that order)."""
+    rows, cols = shape
+    tile_row = np.clip(row_px, 0, rows - 1).astype(np.intp) // TILE
+    tile_col = np.clip(col_px, 0, cols - 1).astype(np.intp) // TILE
+    key = tile_row * (cols // TILE + 1) + tile_col
+    return np.argsort(key, kind="stable"), key
+
+
 def _windows(row_px, col_px, starts, margin_px, shape):
     """Smallest rectangle around each group of jobs, so that a lone ridge does not cost a whole square."""
     top, left = (np.minimum.reduceat(place, starts) - margin_px for place in (row_px, col_px))
@@ -140,7 +181,7 @@ def _read(terrain, windows, count, cells):
     corners, corner = [], 0
     for window in windows:
         size = window.rows * window.cols
-        cells[corner : corner + size] = terrain.read(window).reshape(-1)
+        read_into(terrain, window, cells[corner : corner + size].reshape(window.rows, window.cols))
         corners.append(corner)
         corner += size
     places = [(window.row, window.col, window.rows, window.cols) for window in windows]

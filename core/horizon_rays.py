@@ -41,12 +41,16 @@ class Rays:
 
     def at(self, distance_m, rays=slice(None)):
         """(col, row) of every chosen ray at every distance [pixels]: (a, D) arrays for (D,) distances."""
+        weights = self.weights(distance_m)
+        return tuple(table[rays] @ weights for table in (self.col_px, self.row_px))
+
+    def weights(self, distance_m):
+        """Shares of the nodes in the positions at some distances: (M, D), as a product is faster than looking up."""
         place = np.asarray(distance_m) / self.node_m[1]
         low = np.minimum(place.astype(np.intp), len(self.node_m) - 2)
-        share = place - low
-        return tuple(
-            table[rays][:, low] * (1 - share) + table[rays][:, low + 1] * share for table in (self.col_px, self.row_px)
-        )
+        weights, share, number = np.zeros((len(self.node_m), len(place))), place - low, np.arange(len(place))
+        weights[low, number], weights[low + 1, number] = 1 - share, share
+        return weights
 
     def at_pairs(self, ray, distance_m):
         """(col, row) of single (ray, distance) pairs [pixels]; `ray` and `distance_m` broadcast together."""

@@ -1,12 +1,24 @@
 import math
+import os
+import re
+import subprocess
+import time
+from contextlib import suppress
+from pathlib import Path
 
+import numpy as np
 import pytest
 from qgis.core import NULL, QgsFeatureRequest, QgsProcessingException, QgsVectorLayer, QgsWkbTypes
+from whole_runs import rows_of
 
 NATIVE_FIELDS = [
     "photo", "filename", "directory", "altitude", "direction", "rotation", "longitude", "latitude", "timestamp",
 ]  # fmt: skip
 OUR_FIELDS = ["f35", "hfov", "vfov", "width", "height", "dir_ref", "h_acc", "camera"]
+
+MANY = 10_000
+BYTES_PER_PHOTO = 10_000
+"""What the list of a folder may hold for each photograph."""
 
 
 def features(results, name="OUTPUT"):
@@ -108,3 +120,48 @@ def test_output_is_readable_from_a_geopackage(run, scene, tmp_path):
     results, _ = run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(target)})
     assert results["COUNT"] == 2
     assert QgsVectorLayer(str(target), "photos", "ogr").featureCount() == 2
+
+
+def peak_bytes(environment, *arguments):
+    """Run qgis_process; gives its exit code and the most memory that it held.
+
+    Asked while it runs, for what wait4 tells is at least what pytest held when it made the process.
+    """
+    process = subprocess.Popen(
+        ["qgis_process", *arguments],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    peak = 0
+    while process.poll() is None:
+        with suppress(OSError):
+            held = re.search(r"VmHWM:\s+(\d+) kB", Path(f"/proc/{process.pid}/status").read_text())
+            peak = max(peak, int(held.group(1)) * 1024 if held else 0)
+        time.sleep(0.02)
+    return process.returncode, peak
+
+
+def test_a_folder_of_ten_thousand_photographs_is_read_in_little_memory(qgis_process, shell_environment, tmp_path):
+    from skyline_viewshed.core.io.write_photo import write_photo
+    from skyline_viewshed.core.model import PhotoMetadata
+
+    folder, few, output = tmp_path / "many", tmp_path / "few", tmp_path / "photos.gpkg"
+    folder.mkdir()
+    few.mkdir()
+    first = folder / "00000.jpg"
+    metadata = PhotoMetadata(str(first), 64, 48, latitude_deg=46.5, longitude_deg=8.0, focal_length_35mm=28.0)
+    write_photo(str(first), np.zeros((48, 64, 3), np.uint8), metadata)
+    for number in range(1, MANY):
+        os.link(first, folder / f"{number:05d}.jpg")
+    os.link(first, few / first.name)
+    peaks = []
+    for photos in (few, folder):
+        arguments = ("run", "skylineviewshed:importphotos", "--", f"FOLDER={photos}", f"OUTPUT={output}")
+        code, peak = peak_bytes(shell_environment, *arguments)
+        assert code == 0, qgis_process(*arguments).stderr
+        assert peak > 50 * 2**20, "QGIS alone takes as much"
+        peaks.append(peak)
+    assert len(rows_of(output)) == MANY
+    assert peaks[1] - peaks[0] < MANY * BYTES_PER_PHOTO, peaks

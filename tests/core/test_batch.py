@@ -4,6 +4,7 @@ from datetime import datetime
 
 import numpy as np
 import pytest
+from osgeo import gdal
 from skyline_viewshed.core.angles import difference
 from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, orient_request
 from skyline_viewshed.core.camera import project
@@ -187,3 +188,20 @@ def test_a_photo_outside_its_dem_is_told_so(shared_data):
     found = orient_request(PhotoRequest(str(folder / "photos" / "IMG_1512.HEIC")), dem)
     assert found.orientation.status == "failed"
     assert "outside the DEM" in found.orientation.message
+
+
+def test_the_same_dem_as_cog_and_in_other_coordinate_systems_gives_the_same_heading(scene, tmp_path):
+    cog, utm, degrees = (str(tmp_path / f"{name}.tif") for name in ("cog", "utm", "degrees"))
+    assert gdal.Translate(cog, str(scene.dem), format="COG") is not None
+    gdal.Warp(utm, str(scene.dem), dstSRS="EPSG:32632", resampleAlg="cubic")
+    gdal.Warp(degrees, str(scene.dem), dstSRS="EPSG:4326", resampleAlg="cubic")
+    request = PhotoRequest(str(scene.folder / "north.jpg"))
+    found = {
+        path: orient_request(request, open_dem(path)).orientation.best.pose
+        for path in (str(scene.dem), cog, utm, degrees)
+    }
+    first = found[str(scene.dem)]
+    assert found[cog].heading_deg == pytest.approx(first.heading_deg, abs=1e-6)
+    for path in (utm, degrees):
+        assert found[path].heading_deg == pytest.approx(first.heading_deg, abs=0.15), path
+        assert found[path].pitch_deg == pytest.approx(first.pitch_deg, abs=0.15), path

@@ -260,6 +260,12 @@ def test_a_virtual_raster_of_ten_gigapixels_is_read_in_small_pieces_and_only_in_
     assert terrain.total < 2 * 4100**2
 
 
+def test_terrain_that_fits_into_memory_is_read_once():
+    terrain = Endless()
+    horizon_profile(terrain, Observer(0.0, 0.0, 100.0), HorizonOptions(max_distance_m=10_000.0, memory_mb=20.0))
+    assert terrain.total < 1.02 * 2010**2
+
+
 CENTRE = (-149.5, 61.1)
 
 

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from skyline_viewshed.core.horizon_blocks import HeldTerrain, aligned, block_maxima
+from skyline_viewshed.core.horizon_blocks import HeldTerrain, aligned, block_maxima, highest_close_by
 from skyline_viewshed.core.terrain import ArrayTerrain, Window
 
 
@@ -70,3 +70,54 @@ def test_no_cell_around_a_place_is_higher_than_its_bound(half_px):
         assert bound >= known.max(initial=-np.inf)
         if len(known) == around.size:
             assert bound <= blocks.highest_m[blocks.index(col, row)]
+
+
+@pytest.mark.parametrize("half_px", [1.0, 2.635, 4.0])
+def test_close_by_the_bound_is_that_of_the_cells(half_px):
+    ground = np.random.default_rng(6).normal(0, 100, (60, 70)).astype(np.float32)
+    ground[20:30, 30:40] = np.nan
+    at = highest_close_by(ArrayTerrain(ground, 1.0), Window(10, 5, 45, 60), half_px)
+    rng, radius = np.random.default_rng(7), int(half_px + 0.5)
+    for row, col in zip(rng.uniform(9.5, 54.5, 300), rng.uniform(4.5, 64.5, 300)):
+        sides = [
+            (max(int(np.ceil(place - half_px)), first), min(int(np.floor(place + half_px)), last))
+            for place, first, last in ((row, 10, 54), (col, 5, 64))
+        ]
+        around = ground[sides[0][0] : sides[0][1] + 1, sides[1][0] : sides[1][1] + 1]
+        bound = at(np.array([col]), np.array([row]))[0]
+        assert bound >= around[np.isfinite(around)].max(initial=-np.inf)
+        middle = int(np.rint(row)), int(np.rint(col))
+        more = ground[max(middle[0] - radius, 0) : middle[0] + radius + 1, max(middle[1] - radius, 0) :]
+        assert bound <= np.nan_to_num(more[:, : 2 * radius + 1], nan=-np.inf).max()
+
+
+@pytest.mark.parametrize("memory_mb", [1.0, 0.05, 0.0])
+def test_what_counts_as_held_is_in_memory_with_all_around_it(memory_mb):
+    ground = np.random.default_rng(8).normal(size=(1200, 30)).astype(np.float32)
+    terrain = Counted(ground, 1.0)
+    held = HeldTerrain(terrain, Window(0, 0, 1200, 30), 600.0, memory_mb)
+    block_maxima(held, Window(0, 0, 1200, 30), 8, columns=lambda first, last: (4, 20 if first < 512 else 27))
+    read, (kept, cells) = terrain.cells_read, held.kept()
+    rng = np.random.default_rng(9)
+    row, col = rng.uniform(-0.5, 1199.5, 500), rng.uniform(-0.5, 29.5, 500)
+    known = held.held(row, col, 3)
+    for place in np.flatnonzero(known):
+        top, left = max(int(row[place]) - 3, 0), max(int(col[place]) - 3, 0)
+        bottom, right = min(int(row[place]) + 5, 1200), min(int(col[place]) + 5, 30)
+        window = Window(top, left, bottom - top, right - left)
+        there = cells[top - kept.row : bottom - kept.row, left - kept.col : right - kept.col]
+        assert np.array_equal(there, ground[top:bottom, left:right])
+        assert np.array_equal(held.read(window), there)
+    assert terrain.cells_read == read, "what is held is not read again"
+    assert {1.0: 100, 0.05: 30, 0.0: 0}[memory_mb] <= known.sum() <= (0 if memory_mb == 0 else 500)
+
+
+def test_a_window_beside_what_is_held_does_not_make_it_forgotten():
+    terrain = Counted(np.arange(512 * 30, dtype=np.float32).reshape(512, 30), 1.0)
+    held = HeldTerrain(terrain, Window(0, 0, 512, 30), 200.0, 1.0)
+    held.read(Window(0, 10, 256, 10))
+    assert np.array_equal(held.read(Window(5, 15, 10, 10)), terrain.elevation_m[5:15, 15:25])
+    out = np.empty((256, 10), np.float32)
+    held.read_into(Window(0, 10, 256, 10), out)
+    assert np.array_equal(out, terrain.elevation_m[:256, 10:20])
+    assert terrain.cells_read == 2560 + 100

@@ -48,6 +48,18 @@ def test_samples_are_bilinear_whatever_piece_they_come_from(shape, voids, monkey
     np.testing.assert_allclose(found, bilinear(terrain.elevation_m.astype(float), *around), atol=1e-3)
 
 
+@pytest.mark.parametrize("shape", [(40, 60), (1, 50), (50, 1), (1, 1)])
+def test_on_a_grid_line_two_cells_tell_what_four_do(shape):
+    cells, rng = rough(shape), np.random.default_rng(1)
+    whole = one_piece(cells, Window(0, 0, *shape), 30)
+    for columns in (True, False):
+        across, along = shape[::-1] if columns else shape
+        line = rng.integers(0, across, (30, 9)).astype(float)
+        place = np.sort(rng.uniform(-0.5, along - 0.5, (30, 9)), axis=1)
+        row, col = (place, line) if columns else (line, place)
+        assert np.allclose(whole.on_lines_m(line, place, columns), whole.elevation_m(row, col), atol=1e-9)
+
+
 def test_only_what_lies_around_the_places_is_read():
     terrain = Counted(rough((3000, 3000)))
     row, col = np.array([100.0, 110.0, 2500.0]), np.array([200.0, 190.0, 2600.0])

@@ -85,3 +85,12 @@ def test_only_cylindrical_planes_repeat_the_world(crs, period):
 def test_nonsense_is_refused_in_a_sentence():
     with pytest.raises(TerrainError, match="not understood"):
         spatial_reference("EPSG:999999")
+
+
+@pytest.mark.parametrize("crs", ["EPSG:32606", "EPSG:25832", "EPSG:2056", "EPSG:27700", "EPSG:3031", "EPSG:4326"])
+def test_wgs84_is_that_of_ogc(crs):
+    """EPSG:4326, found faster by PROJ, in the order of OGC:CRS84."""
+    longitude, latitude = np.array([8.0, 8.3]), np.array([46.5, 46.2])
+    x, y = Transformer("OGC:CRS84", crs)(longitude, latitude)
+    assert np.allclose(from_wgs84(crs, longitude, latitude), (x, y), atol=1e-6, rtol=0)
+    assert np.allclose(to_wgs84(crs, x, y), Transformer(crs, "OGC:CRS84")(x, y), atol=1e-11, rtol=0)

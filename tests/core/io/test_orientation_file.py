@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.batch import LandmarkHint, PhotoRequest
 from skyline_viewshed.core.camera import Camera, Pose
@@ -93,6 +93,7 @@ def test_pixel_scores_that_no_report_draws_are_left_out(tmp_path):
     assert_same(photo, unpacked(tmp_path / "a.npz", MARK))
 
 
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(path=st.text(), message=st.text(), p_correct=st.floats())
 def test_any_text_and_any_number_survive(tmp_path_factory, path, message, p_correct):
     photo = OrientedPhoto(path, Orientation("ambiguous", message, p_correct=p_correct))
