@@ -10,10 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import imaging
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .progress import SILENT, checkpoint
-from .terrain import Window, eye_elevation_m
+from .terrain import Window, bilinear, eye_elevation_m
 
 
 @dataclass(frozen=True)
@@ -117,5 +116,5 @@ def _sample(terrain, col, row):
     first_row, first_col = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
     last_row, last_col = int(np.ceil(row.max())) + 2, int(np.ceil(col.max())) + 2
     window = Window(first_row, first_col, last_row - first_row, last_col - first_col).clipped(terrain.shape)
-    cells = terrain.read(window)
-    return imaging.sample_bilinear(cells, col - window.col, row - window.row, outside=np.nan)
+    # Exactly, not by a picture's remapping: its steps of 1/32 pixel would be slopes between neighbouring rays.
+    return bilinear(terrain.read(window), row - window.row, col - window.col)
