@@ -83,4 +83,6 @@ def test_a_border_does_not_count(view):
 def test_the_weight_scales_the_score(view):
     picture, trials = lit(view, (1.0, 0.2, 0.6)), trials_at(HEADINGS[:4])
     once = GroundEvidence(picture, view, GroundMatchOptions(weight=1.0)).score(CAMERA, trials)
-    assert GroundEvidence(picture, view, GroundMatchOptions(weight=3.0)).score(CAMERA, trials) == pytest.approx(3 * once)
+    assert GroundEvidence(picture, view, GroundMatchOptions(weight=3.0)).score(CAMERA, trials) == pytest.approx(
+        3 * once
+    )

@@ -59,6 +59,17 @@ def test_a_drawn_line_covers_its_own_columns_only():
     assert broad.probability.max() < sharp.probability.max() / 3
 
 
+def test_a_line_with_a_vertex_in_every_column_is_taken_at_its_word():
+    """A hand draws to a 300th of the long side; a program that traced every column means it to the pixel."""
+    columns = np.arange(0, 3000)
+    row = 900 + 200 * np.sin(columns / 300)
+    traced = evidence_from_line(columns, row, 3000, 2000)
+    drawn = evidence_from_line(columns[::100], row[::100], 3000, 2000)
+    said = evidence_from_line(columns[::100], row[::100], 3000, 2000, sigma_px=10.0)
+    assert traced.probability.max() > 2 * drawn.probability.max()
+    np.testing.assert_allclose(drawn.probability, said.probability)
+
+
 @pytest.mark.parametrize(
     "mask", [np.zeros((40, 40), np.uint8), np.full((40, 40), 255, np.uint8), np.zeros((1, 9), bool)]
 )
