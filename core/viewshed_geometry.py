@@ -233,3 +233,28 @@ def _cell_tables(frame, plane, k_max, reach):
     stretch = np.hypot(east, north) / (k * plane.rho_m(w)) - 1
     bend[0], stretch[0] = 0.0, 0.0
     return w, bend, stretch
+
+
+def beside(values, index, share):
+    """Interpolate (lines, rays) values between neighbouring rays, `index` counting through the flat array."""
+    flat = values.reshape(-1)
+    low = flat.take(index)
+    high = flat.take(index + 1)
+    high -= low
+    high *= share
+    low += high
+    return low
+
+
+def held_places(whole, first, last):
+    """Indices `first + whole`, held in 0 to `last`, and whether any had to be; they grow along each line."""
+    ends = whole[:, [0, -1]]
+    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them grow backwards by one
+        index = whole.astype(np.int32).astype(np.intp)  # half the time that it takes at once
+        index += first
+        return index, False
+    index = whole.astype(np.intp)
+    index += first
+    np.maximum(index, 0, out=index)  # `np.clip` takes four times as long
+    np.minimum(index, last, out=index)
+    return index, True

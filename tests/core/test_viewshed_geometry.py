@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.errors import UnusableDemError
 from skyline_viewshed.core.frame import tabulate_frame
-from skyline_viewshed.core.viewshed_geometry import quarters
+from skyline_viewshed.core.viewshed_geometry import held_places, quarters
 
 RADIUS_M = 20_000.0
 
@@ -75,3 +75,13 @@ def test_cells_and_rays_agree_on_who_meets_whom():
 def test_a_grid_that_folds_sight_lines_is_refused_with_a_remedy():
     with pytest.raises(UnusableDemError, match="UTM"):
         all_quarters(bent(60.0))
+
+
+@pytest.mark.parametrize("first, last", [(0, 40), (5, 40), (-3, 60), (0, 3e9)])
+@pytest.mark.parametrize("stretch", [1.0, 1e4, 1e9])
+def test_places_are_held_where_one_of_them_lies_outside(first, last, stretch):
+    whole = np.floor(np.linspace(0.2, 35.0, 50) * np.array([[1.0], [stretch]])).astype(np.float32)
+    index, held = held_places(whole, first, int(last))
+    assert np.array_equal(index, np.clip(whole.astype(np.int64) + first, 0, int(last)))
+    assert held or np.array_equal(index, whole.astype(np.int64) + first)
+    assert index.dtype == np.intp
