@@ -176,7 +176,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     )
     # Laid out for the whole circle whatever the sector: rays, and so results, are then the same in all of them.
     k_max = _farthest_lines(frame, sector_window(frame, terrain.shape, FullCircle(), options.max_distance_m))
-    views = quarters(frame, k_max)
+    views = quarters(frame, k_max, sector.touches)
     for done, quarter in enumerate(views):
         sweep = QuarterSweep(
             terrain, quarter, window, k_max[quarter.by_rows, quarter.sign], sector, sweep_options, sink
