@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .progress import SILENT, checkpoint
-from .terrain import Window
+from .terrain import Window, read_into
 
 STRIP_ROWS = 256
 """Strips start at multiples of this many rows, so that no tile of a usual file is decoded twice."""
@@ -263,11 +263,3 @@ class HeldTerrain:
     def kept(self):
         """The window that is kept, and its cells."""
         return self._kept, self._cells
-
-
-def read_into(terrain, window, out):
-    """Read a window into an array: new memory costs more than the cells that come into it, so it is used again."""
-    if hasattr(terrain, "read_into"):
-        terrain.read_into(window, out)
-    else:
-        out[...] = terrain.read(window)

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .horizon_blocks import read_into
-from .terrain import Window
+from .terrain import Window, read_into
 
 TILE = 256
 """Intervals whose middles lie in one square of this side share a piece [cells]."""

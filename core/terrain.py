@@ -47,6 +47,18 @@ class Terrain(Protocol):
         """Local frame around a WGS 84 position, reaching `radius_m` [m]."""
 
 
+def read_into(terrain, window, out):
+    """Read a window of a terrain into a (rows, cols) float32 array, whose memory may lie in any order.
+
+    New memory costs more than the cells that come into it, so who reads much uses it again. A terrain with a
+    `read_into(window, out)` of its own saves the copy, too.
+    """
+    if hasattr(terrain, "read_into"):
+        terrain.read_into(window, out)
+    else:
+        out[...] = terrain.read(window)
+
+
 @dataclass(frozen=True)
 class Observer:
     """Where the camera stands.

@@ -14,7 +14,7 @@ NEVER, CLOSED = np.float32(-1e9), np.float32(1e9)
 """Tangents of a ray that nothing obstructs yet, and of one outside the sector."""
 
 CHUNK = 16
-"""Rays whose minimum is taken together."""
+"""Rays whose minimum is taken together; a power of two."""
 
 
 class Blocks:
@@ -102,7 +102,9 @@ def range_minimum(values, first, last):
     """
     padded = np.full(-(-len(values) // CHUNK) * CHUNK, CLOSED, values.dtype)
     padded[: len(values)] = values
-    tables = [padded.reshape(-1, CHUNK).min(axis=1)]
+    for _ in range(CHUNK.bit_length() - 1):  # halving is several times faster than a reduction over a short axis
+        padded = np.minimum(padded[::2], padded[1::2])
+    tables = [padded]
     first, last = first // CHUNK, last // CHUNK
     level = np.frexp((last - first + 1).astype(float))[1] - 1
     for step in range(int(level.max(initial=0))):

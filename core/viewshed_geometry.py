@@ -145,7 +145,7 @@ def shares(k):
     return ((k - k[0]) / max(k[-1] - k[0], 1e-9)).astype(np.float32)
 
 
-def quarters(frame, k_max):
+def quarters(frame, k_max, touches=None):
     """Lay the four quarters around a frame's observer.
 
     Parameters
@@ -153,6 +153,8 @@ def quarters(frame, k_max):
     frame : LocalFrame
     k_max : dict
         Farthest line of each quarter, keyed by (by_rows, sign) [lines]; quarters with less than one are left out.
+    touches : callable or None
+        As of a sector: quarters none of whose azimuths it touches are left out, which spares their tables.
 
     Returns
     -------
@@ -163,10 +165,16 @@ def quarters(frame, k_max):
     UnusableDemError
         The CRS bends sight lines too much within range (a raster in longitude and latitude at a pole).
     """
-    return [_quarter(frame, by_rows, sign, far) for (by_rows, sign), far in k_max.items() if far > 0]
+    plane = [_plane(frame, by_rows, sign, far) for (by_rows, sign), far in k_max.items() if far > 0]
+    if touches is not None:  # a quarter's rays bend by less than half its width
+        rays = np.linspace(-1.5, 1.5, 181)
+        plane = [quarter for quarter in plane if touches(quarter.azimuth_deg(rays * quarter.w_limit), 2.0).any()]
+    if frame.remainder_px is None:
+        return plane
+    return [_bent(frame, quarter, k_max[quarter.by_rows, quarter.sign]) for quarter in plane]
 
 
-def _quarter(frame, by_rows, sign, k_max):
+def _plane(frame, by_rows, sign, k_max):
     east_north = np.linalg.inv(frame.jacobian_px_per_m)  # columns: per col, per row
     along, line = (0, 1) if by_rows else (1, 0)
     to_metres = np.column_stack([east_north[:, along], sign * east_north[:, line]])
@@ -174,10 +182,9 @@ def _quarter(frame, by_rows, sign, k_max):
     none = Table(None, k_max, -1.0, 1.0)
     side = frame.cell_size_m[along], frame.cell_size_m[line]
     limit = side[1] / side[0]
-    plane = Quarter(
+    return Quarter(
         by_rows, sign, origin[line], origin[along], to_metres, none, none, none, none, side, limit, -limit, limit
     )
-    return plane if frame.remainder_px is None else _bent(frame, plane, k_max)
 
 
 def _bent(frame, plane, k_max):
@@ -233,3 +240,28 @@ def _cell_tables(frame, plane, k_max, reach):
     stretch = np.hypot(east, north) / (k * plane.rho_m(w)) - 1
     bend[0], stretch[0] = 0.0, 0.0
     return w, bend, stretch
+
+
+def beside(values, index, share):
+    """Interpolate (lines, rays) values between neighbouring rays, `index` counting through the flat array."""
+    flat = values.reshape(-1)
+    low = flat.take(index)
+    high = flat.take(index + 1)
+    high -= low
+    high *= share
+    low += high
+    return low
+
+
+def held_places(whole, first, last):
+    """Indices `first + whole`, held in 0 to `last`, and whether any had to be; they grow along each line."""
+    ends = whole[:, [0, -1]]
+    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them grow backwards by one
+        index = whole.astype(np.int32).astype(np.intp)  # half the time that it takes at once
+        index += first
+        return index, False
+    index = whole.astype(np.intp)
+    index += first
+    np.maximum(index, 0, out=index)  # `np.clip` takes four times as long
+    np.minimum(index, last, out=index)
+    return index, True

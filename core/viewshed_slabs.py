@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .terrain import Window
+from .terrain import Window, read_into
 from .viewshed_blocks import BAND, LOW
 
 SLAB = 256
@@ -29,6 +29,7 @@ class Slabs:
     def __init__(self, terrain, quarter, window, u, open_rays):
         self.terrain, self.quarter, self.window = terrain, quarter, window
         self._ends = u[np.flatnonzero(open_rays)[[0, -1]]]
+        self._memory = np.empty(0, np.float32)
 
     def lines(self):
         """Lines of the quarter, outwards, in groups that start at multiples of `SLAB`."""
@@ -50,7 +51,10 @@ class Slabs:
         return (window.row, window.rows) if of_rows else (window.col, window.cols)
 
     def read(self, lines):
-        """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes."""
+        """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes.
+
+        They hold until the next slab is read.
+        """
         low, high = self._along_range(np.abs(lines[[0, -1]] - self.quarter.origin_line))
         first, count = self.extent(not self.quarter.by_rows)
         start = (max(low, first - 1) - 1) // BAND * BAND
@@ -61,13 +65,13 @@ class Slabs:
         top = int(min(lines[0], lines[-1]))
         by_rows = self.quarter.by_rows
         window = Window(top, inner, len(lines), end - inner) if by_rows else Window(inner, top, end - inner, len(lines))
-        cells = np.empty((len(lines), stop - start), np.float32)
+        cells = self._blank(len(lines), stop - start)
         cells[:, : inner - start], cells[:, end - start :] = LOW, LOW
         place = cells[:: self.quarter.sign, inner - start : end - start]
-        values = self.terrain.read(window)
         if by_rows:
-            place[...] = values
+            read_into(self.terrain, window, place)
         else:
+            values = self.terrain.read(window)
             for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
                 place[:, row : row + 512] = values[row : row + 512].T
         # The outer half cells belong to the raster, and a cell on its edge is judged by a ray beside the edge too.
@@ -76,6 +80,12 @@ class Slabs:
         if end < stop:
             cells[:, end - start : end - start + 2] = cells[:, end - start - 1, None]
         return cells, start
+
+    def _blank(self, rows, cols):
+        """Memory in use is taken again, as new memory costs more than the cells that come into it."""
+        if len(self._memory) < rows * cols:
+            self._memory = np.empty(rows * cols, np.float32)
+        return self._memory[: rows * cols].reshape(rows, cols)
 
     def _along_range(self, k):
         """Columns (rows) between which the open rays cross the lines `k`: whole pixels (low, high)."""

@@ -18,7 +18,7 @@ import numpy as np
 from .angles import difference
 from .progress import checkpoint
 from .viewshed_blocks import BAND, CLOSED, NEVER, Blocks
-from .viewshed_geometry import Table, shares
+from .viewshed_geometry import Table, beside, held_places, shares
 from .viewshed_slabs import Slabs
 
 VISIBLE, UNKNOWN = 1, 255
@@ -107,13 +107,15 @@ class QuarterSweep:
                 self._sweep_slab(lines, *slab)
 
     def _sweep_slab(self, lines, cells, start):
-        bands = self._bands(lines)
         result = np.zeros(cells.shape, self.sink.dtype)
-        for part in bands:
-            self._sweep_band(lines[part], cells[part], start, result[part])
-        window, inner = self.slabs.place(lines, start, cells.shape[1])
-        values = result[:: self.quarter.sign, inner]
-        self.sink.add(window, values if self.quarter.by_rows else values.T)
+        used = np.zeros(cells.shape[1] // BAND, bool)
+        for part in self._bands(lines):
+            used[self._sweep_band(lines[part], cells[part], start, result[part])] = True
+        edges = BAND * np.flatnonzero(np.diff(used, prepend=False, append=False))
+        for first, last in zip(edges[::2].tolist(), edges[1::2].tolist()):  # all else is 0
+            window, inner = self.slabs.place(lines, start + first, last - first)
+            values = result[:: self.quarter.sign, first:last][:, inner]
+            self.sink.add(window, values if self.quarter.by_rows else values.T)
 
     @staticmethod
     def _bands(lines):
@@ -123,16 +125,17 @@ class QuarterSweep:
         return [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
 
     def _sweep_band(self, lines, cells, start, result):
-        """Find the blocks that matter, then sample their rays and judge their cells."""
+        """Find the blocks that matter, then sample their rays and judge their cells; give these blocks."""
         k = np.abs(lines - self.quarter.origin_line)
         blocks = Blocks(self, k, cells, start)
         if not len(blocks.active):
-            return
+            return blocks.active
         rays, compact = blocks.rays()
         if len(rays) < 2:
-            return
+            return blocks.active[:0]
         passed = self._sample_rays(k, cells, start, rays, compact)
         self._judge_cells(k, cells, start, blocks.active, passed, result)
+        return blocks.active
 
     def _sample_rays(self, k, cells, start, rays, compact):
         """Raise the chosen rays and give what the cells of the band need of them."""
@@ -148,9 +151,7 @@ class QuarterSweep:
         low = np.floor(position)
         position -= low
         width = cells.shape[1]
-        index = low.astype(np.intp)
-        index += self.along_whole - start
-        _hold(index, width - 2)
+        index, _ = held_places(low, self.along_whole - start, width - 2)
         index += (np.arange(len(k)) * width)[:, None]
         flat = cells.reshape(-1)
         tangent = flat.take(index)
@@ -188,19 +189,20 @@ class QuarterSweep:
             place = quarter.bend.place(j / np.float32(k.mean()))
             ray += quarter.bend.at(k, place)
         ray *= np.float32(1 / self.spacing)
-        index = ray.astype(np.intp)
-        _hold(index, len(self.u) - 2)
-        ray -= index
-        np.maximum(ray, np.float32(0), out=ray)
-        np.minimum(ray, np.float32(1), out=ray)
+        whole = np.trunc(ray)
+        index, held = held_places(whole, 0, len(self.u) - 2)
+        ray -= index if held else whole
+        if held:
+            np.maximum(ray, np.float32(0), out=ray)
+            np.minimum(ray, np.float32(1), out=ray)
         between = None if self.between is None else self.between.take(index)
         index = passed.compact.take(index)
         index += (np.arange(count) * passed.before.shape[1])[:, None]
-        limit = _beside(passed.before, index, ray)
+        limit = beside(passed.before, index, ray)
         if quarter.plane:
             distance = _length(quarter.to_metres.astype(np.float32), j, k32)
         else:  # the rays' own distances: a table of the cells' would differ in the seventh digit, and that shows
-            distance = _beside(passed.distance, index, ray)
+            distance = beside(passed.distance, index, ray)
         tangent = elevation + np.float32(options.target_height_m - options.eye_m)
         tangent /= distance
         tangent -= distance * np.float32(options.drop_per_m2)
@@ -240,7 +242,7 @@ class QuarterSweep:
 
     def _select(self, asked, value, k, w, distance, tangent):
         """Ask the sector about cells that are seen or unknown, one by one; a set of sectors leaves its marks."""
-        line, cell = np.nonzero(asked)
+        line, cell = np.divmod(np.flatnonzero(asked), asked.shape[1])  # faster than np.nonzero in two dimensions
         if not len(line):
             return
         u = w[line, cell].astype(np.float64)
@@ -269,23 +271,6 @@ def _between(sector, azimuth_deg):
         return np.full(len(inside) - 1, EDGE)
     both = inside[:-1].astype(np.uint8) + inside[1:]
     return np.select([both == 0, both == 2], [OUTSIDE, INSIDE], EDGE).astype(np.uint8)
-
-
-def _beside(values, index, share):
-    """Interpolate (lines, rays) values between neighbouring rays, `index` counting through the flat array."""
-    flat = values.reshape(-1)
-    low = flat.take(index)
-    high = flat.take(index + 1)
-    high -= low
-    high *= share
-    low += high
-    return low
-
-
-def _hold(index, last):
-    """Keep indices in 0 to `last`, in place (`np.clip` takes four times as long)."""
-    np.maximum(index, 0, out=index)
-    np.minimum(index, last, out=index)
 
 
 def _length(to_metres, j, k):

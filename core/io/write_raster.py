@@ -94,9 +94,13 @@ def new_raster(
 
 
 def _create(part, window, dtype, bands, alpha=False):
-    predictor = 3 if dtype == "float32" else 2
-    options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "COMPRESS=DEFLATE"]
-    options += [f"PREDICTOR={predictor}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
+    options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
+    if dtype == "uint8" and not alpha:
+        # Masks come in long runs, which every reader of TIFF knows how to unroll: a fortieth of the plain file, in a
+        # sixth of the time that DEFLATE takes for a third of that.
+        options += ["COMPRESS=PACKBITS"]
+    else:
+        options += ["COMPRESS=DEFLATE", f"PREDICTOR={3 if dtype == 'float32' else 2}"]
     # Pictures hardly shrink any further at higher levels, and take three times as long.
     options += ["PHOTOMETRIC=RGB", "ALPHA=YES", "ZLEVEL=1"] if alpha else []
     dataset = gdal.GetDriverByName("GTiff").Create(part, window.cols, window.rows, bands, GDAL_TYPES[dtype], options)

@@ -10,6 +10,7 @@ from skyline_viewshed.core.terrain import (
     bilinear,
     eye_elevation_m,
     ground_elevation_m,
+    read_into,
 )
 
 PLANE = np.add.outer(10.0 * np.arange(6), 3.0 * np.arange(7)).astype(np.float32)
@@ -73,3 +74,17 @@ def test_beside_a_void_the_known_neighbours_speak():
     terrain = ArrayTerrain(elevation, 30.0)
     ground = ground_elevation_m(terrain, frame_at(terrain, 0.5, 0.5))
     assert ground == pytest.approx(np.mean([3, 10, 13]), abs=1e-3)
+
+
+@pytest.mark.parametrize("step", [1, -1])
+def test_terrain_is_read_into_memory_in_any_order(step):
+    class OfItsOwn(ArrayTerrain):
+        def read_into(self, window, out):
+            out[...] = self.read(window) + 1000
+
+    window, memory = Window(1, 2, 3, 4), np.zeros((9, 9), np.float32)
+    read_into(ArrayTerrain(PLANE, 1.0), window, memory[2:5, 1:5][::step])
+    assert np.array_equal(memory[2:5, 1:5][::step], PLANE[1:4, 2:6])
+    assert memory.sum() == pytest.approx(PLANE[1:4, 2:6].sum())
+    read_into(OfItsOwn(PLANE, 1.0), window, memory[2:5, 1:5][::step])
+    assert np.array_equal(memory[2:5, 1:5][::step], PLANE[1:4, 2:6] + 1000)

@@ -42,6 +42,21 @@ def test_a_window_is_that_part_of_the_whole(tmp_path, hills):
         dem.read(Window(50, 0, 20, 10))
 
 
+@pytest.mark.parametrize("dtype", ["int16", "float32", "float64"])
+@pytest.mark.parametrize("compressed", [False, True])
+def test_a_window_is_read_into_memory_of_any_order(tmp_path, hills, dtype, compressed):
+    path = make_tif(tmp_path / "a.tif", hills.astype(dtype), nodata=int(hills[8, 12]))
+    if compressed:
+        options = ["COMPRESS=DEFLATE", "TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"]
+        path = gdal.Translate(str(tmp_path / "b.tif"), path, creationOptions=options).GetDescription()
+    dem, window = open_dem(path), Window(7, 11, 20, 30)
+    memory = np.zeros((40, 50), np.float32)
+    dem.read_into(window, memory[30:10:-1, 4:34])
+    assert np.array_equal(memory[30:10:-1, 4:34], dem.read(window), equal_nan=True)
+    memory[30:10:-1, 4:34] = 0
+    assert not memory.any()
+
+
 def test_strips_join_without_a_seam(tmp_path, hills, monkeypatch):
     dem = open_dem(make_tif(tmp_path / "a.tif", hills))
     monkeypatch.setattr("skyline_viewshed.core.io.raster.STRIP_BYTES", 7 * 4 * 80)
