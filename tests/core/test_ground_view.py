@@ -9,10 +9,11 @@ CELL = 50.0
 EYE = Observer(0.0, 0.0, 200.0)
 
 
-def view_of(height, observer=EYE, options=RayOptions()):
+def view_of(height, options=None):
     axis = (np.arange(401) - 200) * CELL
     east, north = np.meshgrid(axis, -axis)
-    return ground_view(cast_ground_rays(ArrayTerrain(height(east, north).astype(np.float32), CELL), observer, options))
+    terrain = ArrayTerrain(height(east, north).astype(np.float32), CELL)
+    return ground_view(cast_ground_rays(terrain, EYE, options or RayOptions()))
 
 
 @pytest.mark.parametrize("east_slope, north_slope", [(0.0, 0.0), (0.2, 0.0), (0.0, -0.3), (-0.15, 0.1)])

@@ -28,5 +28,6 @@ def test_options_reach_both():
 
 
 def test_a_tiny_terrain_has_neither():
-    inner = inner_terrain(ArrayTerrain(np.zeros((4, 4), np.float32), 5.0), Observer(0.0, 0.0), InnerOptions(RayOptions(max_distance_m=250.0)))  # fmt: skip
+    terrain, options = ArrayTerrain(np.zeros((4, 4), np.float32), 5.0), InnerOptions(RayOptions(max_distance_m=250.0))
+    inner = inner_terrain(terrain, Observer(0.0, 0.0), options)
     assert inner.ground is None and len(inner.ridges.azimuth_deg) == 0

@@ -14,8 +14,8 @@ def terrain_of(height):
     return ArrayTerrain(height(east, north).astype(np.float32), CELL)
 
 
-def edges_of(height, options=RidgeOptions()):
-    return occlusion_edges(cast_ground_rays(terrain_of(height), Observer(0.0, 0.0, 2.0)), options)
+def edges_of(height, options=None):
+    return occlusion_edges(cast_ground_rays(terrain_of(height), Observer(0.0, 0.0, 2.0)), options or RidgeOptions())
 
 
 def two_walls(east, north):
