@@ -205,10 +205,10 @@ def _belief(heading_prior, heading_deg):
 
 
 def _fit(objective, starts, second, heading_prior, options, progress):
-    """Short fits of all candidates, full fits of the best distinct ones; distinct trials, scores and
-    scales of tolerance, best first.
+    """Short fits of all candidates, full fits of the best distinct ones.
 
-    The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
+    Gives distinct trials, their scores and their scales of tolerance, best first. The belief in a heading helps to
+    choose what is looked at; the scores are the picture's alone.
     """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score, _ = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))

@@ -36,3 +36,4 @@ timeout 400 "$program" --nologo --noversioncheck --profiles-path "$work" --profi
 cat "$work/desktop.log"
 .venv/bin/python tools/screenshots/publish.py "$work" docs/images
 PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/failures.py "$SAMPLE" docs/images/failures.png
+PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/ground.py "$SAMPLE" docs/images/ground.png
