@@ -25,7 +25,7 @@ class PosteriorOptions:
         A horizon flatter than this inside the frame cannot be matched.
     """
 
-    accept_at: float = 0.9
+    accept_at: float = 0.85
     reject_below: float = 0.1
     min_relief_deg: float = 0.1
 
