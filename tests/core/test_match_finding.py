@@ -1,0 +1,51 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.match_evidence import EvidenceStack
+from skyline_viewshed.core.match_finding import heading_sigma_deg, relief_px
+from skyline_viewshed.core.match_geometry import HorizonCurve
+from skyline_viewshed.core.match_refine import Objective
+
+TRIAL = np.array([[97.3, 6.0, 1.0, 0.0, 0.0]])
+
+
+@pytest.fixture(scope="module")
+def scene(match_scenes):
+    return match_scenes.scene(4, 97.3, pitch_deg=6.0, roll_deg=1.0)
+
+
+@pytest.fixture(scope="module")
+def fitted(scene):
+    return objective_of(scene, scene.horizon)
+
+
+def objective_of(scene, horizon):
+    probability = scene.evidence.probability
+    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
+    return Objective(EvidenceStack(probability), camera, HorizonCurve(horizon), 0.02)
+
+
+def sigma(objective, scale=1.0, position_error_m=0.0, floor_deg=0.0):
+    return float(heading_sigma_deg(objective, TRIAL, np.array([scale]), position_error_m, floor_deg)[0])
+
+
+def test_a_heading_is_less_sure_the_wider_the_tolerance_at_which_it_fits(fitted):
+    spreads = [sigma(fitted, scale) for scale in (0.35, 0.7, 1.5, 3.0)]
+    assert np.all(np.diff(spreads) > 0)
+    assert spreads[-1] > 2 * spreads[0]
+
+
+def test_position_error_and_floor_add_in_squares(scene, fitted):
+    assert sigma(fitted, floor_deg=0.3) == pytest.approx(np.hypot(sigma(fitted), 0.3))
+    near = objective_of(scene, replace(scene.horizon, distance_m=np.full(scene.horizon.distance_m.shape, 2000.0)))
+    moved, still = sigma(near, position_error_m=35.0), sigma(near)
+    assert np.sqrt(moved**2 - still**2) == pytest.approx(np.degrees(35.0 / 2000.0), rel=1e-3)
+
+
+def test_relief_is_measured_about_a_straight_line():
+    columns = np.arange(200)
+    tilted = 30 + 0.4 * columns
+    assert relief_px(columns, tilted) == pytest.approx(0.0, abs=1e-9)
+    assert relief_px(columns, tilted + 5 * np.sin(columns / 3)) == pytest.approx(5 / np.sqrt(2), rel=0.02)
+    assert relief_px(columns[:10], tilted[:10]) == 0.0
