@@ -31,6 +31,10 @@ class InnerEvidence:
         if evidence.thumbnail is not None and inner.ground is not None and options.ground.weight > 0:
             self._ground = GroundEvidence(evidence.thumbnail, inner.ground, options.ground)
 
+    def __bool__(self):
+        """Whether there is anything to look at."""
+        return self._crests is not None or self._ground is not None
+
     def score(self, trials):
         """Addition to the score of each of (K, 5) trials, (K,)."""
         total = np.zeros(len(trials))

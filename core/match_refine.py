@@ -164,8 +164,10 @@ class Objective:
         return np.einsum("km,kmj->kj", miss, jacobian), np.einsum("kmi,kmj->kij", jacobian, jacobian)
 
 
-def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT):
+def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT, held=()):
     """Climb from every trial to a maximum of its score at one tolerance scale.
+
+    Parameters `held`, as columns of `match_geometry.PARAMETERS`, stay as they are.
 
     Returns
     -------
@@ -176,7 +178,7 @@ def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT):
     score, gradient, curvature = objective.expand(trials, scale, stride)
     # The curvature counts every explained column in full and is about twice too stiff: start below it.
     stiffness = np.full(len(trials), 0.5)
-    free = np.flatnonzero(objective.free)
+    free = np.setdiff1d(np.flatnonzero(objective.free), held)
     for iteration in range(iterations):
         checkpoint(progress, iteration / iterations)
         moved = trials + _bounded(_newton(gradient, curvature * stiffness[:, None, None], free))

@@ -25,6 +25,7 @@ from .match_prior import log_ratio
 from .match_refine import Objective, RefineOptions, distinct, refine
 from .match_ridges import RidgeMatchOptions
 from .match_search import SearchOptions, coarse_search
+from .match_turn import TurnOptions, turn
 from .model import Candidate, Orientation
 from .progress import SILENT, subtask
 
@@ -38,7 +39,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    evidence, search, refine, ridges, ground, posterior : options of the stages
+    evidence, search, refine, ridges, ground, turn, posterior : options of the stages
     short_scales : tuple of float
         Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then as fine as the
         right answer can stand, since at a wide tolerance a wrong answer scores like a right one.
@@ -55,6 +56,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
+    turn: TurnOptions = field(default_factory=TurnOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     short_scales: tuple = (3.0, 1.0, 0.5)
     full_fits: int = 14
@@ -217,6 +219,9 @@ def _fit(objective, starts, second, heading_prior, options, progress):
     scales = sorted(options.refine.error_scales, reverse=True)
     best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
     best_score = best_score + second.score(best)
+    first = int(best_score.argmax())
+    if second and options.turn.reach_deg > 0:
+        best[first], best_score[first] = turn(objective, second, best[first], scale[first], options.turn)
     kept = distinct(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept], scale[kept]
