@@ -57,6 +57,10 @@ SENTENCES = (
     mark("The recorded coordinates are 0, 0 (no GPS fix) and were ignored."),
     mark("The hemisphere is not recorded; north and east were assumed where it is missing."),
     mark("The 35 mm equivalent was derived from the focal length and the focal plane resolution."),
+    mark(
+        "The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give "
+        "the horizontal field of view in HFOV_FIELD where it is known better."
+    ),
     mark("The folder {a} cannot be listed: {b}. Check the path."),
     mark("it is too large for this computer's memory. Reduce the picture."),
     mark("The DEM {a} is not a raster that GDAL can read. Choose an elevation raster."),
@@ -77,6 +81,8 @@ SENTENCES = (
     mark("{a} pixels"),
     mark("{a} degrees"),
     mark("The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used."),
+    mark("The recorded altitude lies {a} m {b} the DEM's surface and was used."),
+    mark("The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used."),
     mark("above"),
     mark("below"),
     mark(

@@ -12,6 +12,7 @@ from .kept_orientations import orientations_out
 from .layers import points_fault, read_points
 from .orientation import (
     NUMBER_FIELDS,
+    add_altitude_parameter,
     add_field_parameters,
     add_terrain_parameters,
     options_of,
@@ -78,6 +79,7 @@ class OrientPhotos(DemAlgorithm):
         add_field_parameters(self)
         add_terrain_parameters(self)
         add_rescue_parameters(self)
+        add_altitude_parameter(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
         self.addParameter(orientations_out())

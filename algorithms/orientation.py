@@ -5,6 +5,8 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
+from qgis.core import QgsProcessingParameterBoolean
+
 from ..core.errors import Cancelled, OutputError, TerrainError
 from ..core.horizon import HorizonOptions
 from ..core.progress import checkpoint, subtask
@@ -54,6 +56,16 @@ def add_terrain_parameters(algorithm):
         algorithm.addParameter(shared.advanced(parameter))
 
 
+def add_altitude_parameter(algorithm):
+    """Declare whether the recorded altitude is trusted."""
+    parameter = QgsProcessingParameterBoolean("USE_ALTITUDE", tr("Camera at the recorded altitude"), False)
+    text = tr(
+        "For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, "
+        "and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
+
+
 def oriented_out(name="OUTPUT"):
     """Layer of oriented photographs."""
     return shared.points_out(
@@ -85,10 +97,11 @@ def requests_of(algorithm, parameters, context, rows):
     """One `PhotoRequest` per row; None where the row names no photo."""
     rescue = Rescue(algorithm, parameters, context)
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
-    return [None if row.path is None else request_of(row, rescue, eye_height_m) for row in rows]
+    use_altitude = algorithm.parameterAsBoolean(parameters, "USE_ALTITUDE", context)
+    return [None if row.path is None else request_of(row, rescue, eye_height_m, use_altitude) for row in rows]
 
 
-def request_of(row, rescue, eye_height_m):
+def request_of(row, rescue, eye_height_m, use_altitude):
     """What is known of one photo."""
     from ..core.batch import PhotoRequest
 
@@ -99,6 +112,7 @@ def request_of(row, rescue, eye_height_m):
         latitude_deg=row.latitude_deg,
         eye_elevation_m=row.numbers.get("HEIGHT_FIELD"),
         eye_height_m=eye_height_m,
+        use_altitude=use_altitude,
         hfov_deg=row.numbers.get("HFOV_FIELD"),
         heading_deg=row.numbers.get("HEADING_HINT_FIELD"),
         heading_tolerance_deg=DEFAULT_TOLERANCE_DEG if tolerance is None else tolerance,

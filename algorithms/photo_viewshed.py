@@ -16,6 +16,7 @@ from .folder_photos import folder_fault, photo_rows
 from .i18n import tr
 from .kept_orientations import orientations_out
 from .orientation import (
+    add_altitude_parameter,
     add_field_parameters,
     options_of,
     orient_each,
@@ -112,6 +113,7 @@ class PhotoViewshed(DemAlgorithm):
         add_range_parameters(self)
         add_field_parameters(self)
         add_rescue_parameters(self)
+        add_altitude_parameter(self)
         self._add_outputs()
 
     def _add_outputs(self):

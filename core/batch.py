@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import imaging
+from .camera import FOCAL_SIGMA
 from .compass import compass_prior, true_heading_deg
 from .curvature import apparent_drop_m
 from .declination import declination_deg
@@ -71,6 +72,8 @@ class PhotoRequest:
         Absolute elevation of the eye in the DEM's height system [m].
     eye_height_m : float
         Above the DEM [m], where no elevation is given.
+    use_altitude : bool
+        Put the eye at the altitude that the file records, where no elevation is given.
     hfov_deg : float or None
         Horizontal field of view of the upright picture [degrees].
     focal_length_35mm : float or None
@@ -92,6 +95,7 @@ class PhotoRequest:
     prefer_photo_position: bool = False
     eye_elevation_m: float | None = None
     eye_height_m: float = 1.7
+    use_altitude: bool = False
     hfov_deg: float | None = None
     focal_length_35mm: float | None = None
     position_error_m: float | None = None
@@ -165,10 +169,11 @@ def _orient(request, dem, options, cache, progress):
     paper = options.method == "paper"
     photo = read_photo(request.path, None if paper else PREVIEW_PX)
     if request.focal_length_35mm is not None:
-        photo = replace(photo, metadata=replace(photo.metadata, focal_length_35mm=request.focal_length_35mm))
+        lens = {"focal_length_35mm": request.focal_length_35mm, "focal_sigma": FOCAL_SIGMA}
+        photo = replace(photo, metadata=replace(photo.metadata, **lens))
     metadata = photo.metadata
     longitude, latitude, given = _position(request, metadata)
-    observer = Observer(longitude, latitude, request.eye_height_m, request.eye_elevation_m)
+    observer = Observer(longitude, latitude, request.eye_height_m, _eye_elevation_m(request, metadata))
     prior = camera_prior(metadata, request.hfov_deg)
     compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
     hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
@@ -181,7 +186,7 @@ def _orient(request, dem, options, cache, progress):
         photo, dem, observer, prior, options, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M,
         subtask(progress, 0.4, 1.0),
     )  # fmt: skip
-    notes = metadata.notes + _eye_notes(metadata, oriented) + oriented.orientation.notes
+    notes = metadata.notes + _eye_notes(request, metadata, oriented) + oriented.orientation.notes
     return replace(
         oriented,
         orientation=replace(oriented.orientation, notes=notes),
@@ -247,14 +252,27 @@ def _direction(hint, dem, observer):
     return Landmark(hint.x_px, hint.y_px, azimuth, float(np.degrees(np.arctan2(rise, distance))), hint.sigma_px)
 
 
-def _eye_notes(metadata, oriented):
-    """Remark on a recorded altitude that contradicts the DEM."""
+def _eye_elevation_m(request, metadata):
+    """Elevation that was given, or recorded and trusted; None: the DEM's."""
+    if request.eye_elevation_m is not None or not request.use_altitude:
+        return request.eye_elevation_m
+    # DEMs count from the sea; the geoid lies up to 100 m off the ellipsoid.
+    return None if metadata.altitude_reference == "ellipsoid" else metadata.altitude_m
+
+
+def _eye_notes(request, metadata, oriented):
+    """Remark on a recorded altitude that contradicts the DEM, or that was wanted and is of no use."""
     if metadata.altitude_m is None or oriented.ground_elevation_m is None:
         return ()
+    trusted = request.use_altitude and request.eye_elevation_m is None
+    if trusted and metadata.altitude_reference == "ellipsoid":
+        return ("The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.",)
     above = metadata.altitude_m - oriented.ground_elevation_m
     if abs(above) < 30:
         return ()
     side = "above" if above > 0 else "below"
+    if trusted:
+        return (f"The recorded altitude lies {abs(above):.0f} m {side} the DEM's surface and was used.",)
     return (f"The recorded altitude lies {abs(above):.0f} m {side} the DEM's surface; the DEM was used.",)
 
 

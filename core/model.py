@@ -11,7 +11,7 @@ from datetime import datetime
 
 import numpy as np
 
-from .camera import Camera, Pose
+from .camera import FOCAL_SIGMA, Camera, Pose
 from .horizon_model import HorizonProfile
 
 
@@ -31,7 +31,9 @@ class PhotoMetadata:
     altitude_reference : str or None
         'sea level', 'below sea level', 'ellipsoid' as GPSAltitudeRef says.
     focal_length_35mm, focal_length_mm : float or None
-        35 mm equivalent and real focal length [mm].
+        35 mm equivalent of the picture as it is, and the lens's real focal length [mm].
+    focal_sigma : float
+        Relative spread of the equivalent.
     orientation : int
         EXIF Orientation 1 to 8, for the record; pixels and sizes here are upright already.
     compass_heading_deg : float or None
@@ -57,6 +59,7 @@ class PhotoMetadata:
     altitude_reference: str | None = None
     focal_length_35mm: float | None = None
     focal_length_mm: float | None = None
+    focal_sigma: float = FOCAL_SIGMA
     orientation: int = 1
     compass_heading_deg: float | None = None
     compass_reference: str | None = None

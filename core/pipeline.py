@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from .camera import Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
+from .camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
 from .errors import MissingMetadataError, ObserverError, SkylineNotFoundError
 from .horizon import HorizonOptions, horizon_profile
 from .inner_terrain import InnerOptions, inner_terrain
@@ -88,7 +88,7 @@ def cast_horizon(terrain, observer, options, progress=SILENT):
     return horizon_profile(terrain, observer, options, progress)
 
 
-def camera_prior(metadata, hfov_deg=None, focal_sigma=0.025):
+def camera_prior(metadata, hfov_deg=None):
     """What is known of the lens before the fit.
 
     Parameters
@@ -96,9 +96,7 @@ def camera_prior(metadata, hfov_deg=None, focal_sigma=0.025):
     metadata : PhotoMetadata
     hfov_deg : float or None
         Horizontal field of view of the upright picture, where it is given [degrees]; else the 35 mm equivalent by
-        the diagonal rule.
-    focal_sigma : float
-        Relative spread; EXIF focal lengths were found up to 4 % off.
+        the diagonal rule, with the spread that the metadata tell.
 
     Raises
     ------
@@ -106,14 +104,14 @@ def camera_prior(metadata, hfov_deg=None, focal_sigma=0.025):
     """
     width, height = metadata.width_px, metadata.height_px
     if hfov_deg is not None:
-        focal = focal_of_fov_px(width, hfov_deg)
+        focal, sigma = focal_of_fov_px(width, hfov_deg), FOCAL_SIGMA
     elif metadata.focal_length_35mm is not None:
-        focal = focal_from_35mm_px(width, height, metadata.focal_length_35mm)
+        focal, sigma = focal_from_35mm_px(width, height, metadata.focal_length_35mm), metadata.focal_sigma
     else:
         raise MissingMetadataError(
             "focal length (35 mm equivalent)", "Give the horizontal field of view in HFOV_FIELD."
         )
-    return CameraPrior(Camera(width, height, focal), focal_sigma)
+    return CameraPrior(Camera(width, height, focal), sigma)
 
 
 def orient_photo(

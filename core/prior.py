@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .camera import Camera
+from .camera import FOCAL_SIGMA, Camera
 
 
 @dataclass(frozen=True)
@@ -62,4 +62,4 @@ class CameraPrior:
     """
 
     camera: Camera
-    focal_sigma: float = 0.025
+    focal_sigma: float = FOCAL_SIGMA

@@ -376,6 +376,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {b} mm galt eine kleinbildgleiche Brennweite von {a} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The folder {a} cannot be listed: {b}. Check the path.</source>
         <translation>Der Inhalt des Ordners {a} ist nicht zu lesen: {b}. Prüfen Sie den Pfad.</translation>
     </message>
@@ -473,6 +478,16 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
         <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -2014,6 +2029,16 @@
         <location filename="../algorithms/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Kamera auf der aufgezeichneten Höhe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Für Türme, Seilbahnen und Drohnen: das Auge steht auf der Höhe in der Datei, wo sie vom Meer zählt, und nicht auf dem DGM. Die Höhe eines Telefons ist oft um 10 bis 50 m falsch. Eine Kamerahöhe in einem Feld geht vor.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>

@@ -376,6 +376,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {a} mm en vez de {b} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The folder {a} cannot be listed: {b}. Check the path.</source>
         <translation>No se puede listar la carpeta {a}: {b}. Compruebe la ruta.</translation>
     </message>
@@ -473,6 +478,16 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
         <translation>La altitud registrada queda {a} m {b} de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -2014,6 +2029,16 @@
         <location filename="../algorithms/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Cámara a la altitud registrada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Para torres, teleféricos y drones: el ojo está a la altitud del archivo, si se cuenta desde el mar, y no sobre el MDE. La altitud de un teléfono suele errar entre 10 y 50 m. Una elevación de la cámara en un campo tiene prioridad.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>

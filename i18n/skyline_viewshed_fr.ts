@@ -376,6 +376,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {a} mm a été utilisé au lieu de {b} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>The folder {a} cannot be listed: {b}. Check the path.</source>
         <translation>Le contenu du dossier {a} ne peut pas être lu : {b}. Vérifiez le chemin.</translation>
     </message>
@@ -473,6 +478,16 @@
         <location filename="../algorithms/core_sentences.py"/>
         <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
         <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
@@ -2014,6 +2029,16 @@
         <location filename="../algorithms/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Appareil à l'altitude enregistrée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Pour les tours, les téléphériques et les drones : l'œil se trouve à l'altitude du fichier, si elle se compte depuis la mer, et non sur le MNT. L'altitude d'un téléphone est souvent fausse de 10 à 50 m. Une altitude de l'appareil dans un champ l'emporte.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientation.py"/>

@@ -10,7 +10,7 @@ from __future__ import annotations
 from datetime import datetime
 from math import hypot, isfinite
 
-from ..camera import DIAGONAL_35MM
+from ..camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
 
 MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 """FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool reads them."""
@@ -18,6 +18,15 @@ MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 ALTITUDE_REFERENCES = {0: "sea level", 1: "below sea level", 2: "ellipsoid", 3: "ellipsoid"}
 SENSOR_DIAGONALS_MM = (2.0, 80.0)
 """From the smallest phone to medium format; anything else is a wrong FocalPlaneXResolution."""
+
+SENSOR_SHAPES = (4 / 3, 3 / 2)
+"""Phones record the equivalent of the whole sensor also for pictures of other shapes; the diagonal rule misses that."""
+
+SAME_SHAPE = 0.01
+"""Relative difference of two shapes that rounding explains."""
+
+LEAST_CROP = 0.5
+"""A picture of another shape than recorded and not below this share of the recorded sides was cropped, not reduced."""
 
 
 def interpret(tags, width_px, height_px):
@@ -40,13 +49,15 @@ def interpret(tags, width_px, height_px):
     altitude_m, altitude_reference = _altitude(tags)
     heading_deg, heading_reference = _heading(tags)
     orientation = _number(tags, "Orientation")
+    focal_length_35mm, focal_sigma = _focal_length_35mm(tags, width_px, height_px, notes)
     return {
         "latitude_deg": latitude_deg,
         "longitude_deg": longitude_deg,
         "altitude_m": altitude_m,
         "altitude_reference": altitude_reference,
-        "focal_length_35mm": _focal_length_35mm(tags, width_px, height_px, notes),
+        "focal_length_35mm": focal_length_35mm,
         "focal_length_mm": _positive(tags, "FocalLength"),
+        "focal_sigma": focal_sigma,
         "orientation": int(orientation) if orientation in range(1, 9) else 1,
         "compass_heading_deg": heading_deg,
         "compass_reference": heading_reference,
@@ -116,17 +127,50 @@ def _heading(tags):
 
 
 def _focal_length_35mm(tags, width_px, height_px, notes):
+    """35 mm equivalent of the picture as it is (None: unknown), and its relative spread."""
     recorded = _positive(tags, "FocalLengthIn35mmFilm")
-    if recorded is not None:
-        return recorded
-    derived = _from_focal_plane(tags, width_px, height_px)
-    if derived is not None:
+    length = recorded or _from_focal_plane(tags, width_px, height_px)
+    if length is None:
+        return None, FOCAL_SIGMA
+    if recorded is None:
         notes.append("The 35 mm equivalent was derived from the focal length and the focal plane resolution.")
-    return derived
+    size = max(width_px, height_px), min(width_px, height_px)
+    enlarged = _crop_factor(*_recorded_size(tags, size), *size)
+    if enlarged > 1:
+        notes.append(
+            f"The picture is a part of what the camera took: a 35 mm equivalent of {length * enlarged:.0f} mm was used "
+            f"instead of {length:.0f} mm. Give the horizontal field of view in HFOV_FIELD where it is known better."
+        )
+    zoomed = (_positive(tags, "DigitalZoomRatio") or 1.0) > 1
+    usual = any(_same_shape(size[0] / size[1], shape) for shape in SENSOR_SHAPES)
+    return length * enlarged, DOUBTFUL_FOCAL_SIGMA if enlarged > 1 or zoomed or not usual else FOCAL_SIGMA
+
+
+def _recorded_size(tags, size):
+    """Long and short side of the picture as the camera stored it; `size` where that is not recorded."""
+    sides = _positive(tags, "PixelXDimension"), _positive(tags, "PixelYDimension")
+    return size if None in sides else (max(sides), min(sides))
+
+
+def _crop_factor(recorded_long, recorded_short, long, short):
+    """How much narrower than recorded the picture's field is; 1 where it was not cropped.
+
+    A copy of another shape that is not much smaller was cropped pixel by pixel; a much smaller one is taken for a
+    reduced copy of the largest crop of its shape.
+    """
+    kept = max(long / recorded_long, short / recorded_short)
+    if _same_shape(recorded_long / recorded_short, long / short) or kept > 1:
+        return 1.0
+    scale = 1.0 if kept >= LEAST_CROP else kept
+    return hypot(recorded_long, recorded_short) * scale / hypot(long, short)
+
+
+def _same_shape(one, other):
+    return abs(one - other) <= SAME_SHAPE * other
 
 
 def _from_focal_plane(tags, width_px, height_px):
-    """35 mm equivalent by the diagonal rule from the sensor's size, where the picture shows the whole sensor."""
+    """35 mm equivalent of the recorded frame by the diagonal rule from the sensor's size; None where unknown."""
     focal_mm, unit_mm = (
         _positive(tags, "FocalLength"),
         MILLIMETRES_PER_UNIT.get(_number(tags, "FocalPlaneResolutionUnit") or 2),
@@ -137,8 +181,6 @@ def _from_focal_plane(tags, width_px, height_px):
     # The resolution belongs to the picture as the camera stored it; a resampled copy still shows the same field.
     stored_width = _positive(tags, "PixelXDimension") or width_px
     stored_height = _positive(tags, "PixelYDimension") or height_px
-    if abs(stored_width * height_px - stored_height * width_px) > 0.01 * stored_width * height_px:
-        return None  # cropped since
     sensor_mm = hypot(stored_width / x_resolution, stored_height / y_resolution) * unit_mm
     if not SENSOR_DIAGONALS_MM[0] <= sensor_mm <= SENSOR_DIAGONALS_MM[1]:
         return None

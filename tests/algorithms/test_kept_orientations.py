@@ -110,7 +110,10 @@ def test_a_run_that_was_stopped_goes_on_where_it_was(first, again, run, monkeypa
     assert rows_of(first[0] / "points.gpkg") == rows_of(tmp_path / "points.gpkg")
 
 
-@pytest.mark.parametrize("change", [{"COMPASS": 1}, {"HORIZON_DISTANCE": 20_000.0}, {"EYE_HEIGHT": 4.0}, {"METHOD": 1}])
+@pytest.mark.parametrize(
+    "change",
+    [{"COMPASS": 1}, {"HORIZON_DISTANCE": 20_000.0}, {"EYE_HEIGHT": 4.0}, {"USE_ALTITUDE": True}, {"METHOD": 1}],
+)
 def test_other_settings_orient_anew(again, solved, change):
     again(**change)
     assert solved == ["no_gps.jpg", "north.jpg", "west.jpg"]

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QVariant
+from skyline_viewshed.core.io.photo import read_photo
+from skyline_viewshed.core.io.write_photo import write_photo
 
 CONTRACT = [
     "heading", "pitch", "roll", "hfov", "vfov", "ncc", "ncc_2nd", "heading_2", "heading_3", "sharpness", "heading_lo",
@@ -66,7 +69,7 @@ def test_parameters_are_the_contract(algorithm):
     names = [definition.name() for definition in it.parameterDefinitions()]
     wanted = ["INPUT", "PHOTO_FIELD", "DEM", "BAND", "METHOD", "COMPASS", "HFOV_FIELD", "HEIGHT_FIELD", "EYE_HEIGHT"]
     assert names[: len(wanted) + 2] == [*wanted, "MAX_DISTANCE", "REFRACTION"]
-    assert {"SKY_MASKS", "LANDMARKS", "SKYLINES", "OUTPUT", "REPORT"} <= set(names)
+    assert {"SKY_MASKS", "LANDMARKS", "SKYLINES", "USE_ALTITUDE", "OUTPUT", "REPORT"} <= set(names)
     assert it.parameterDefinition("METHOD").options()[0] == "robust"
     assert it.parameterDefinition("PHOTO_FIELD").defaultValue() == "photo"
     assert it.parameterDefinition("EYE_HEIGHT").defaultValue() == 1.7
@@ -110,6 +113,19 @@ def test_the_report_is_whole_and_names_each_photo(solved):
     assert text.rstrip().endswith("</html>")
     assert "north.jpg" in text and "west.jpg" in text
     assert "http://" not in text.replace("http://www.w3.org/2000/svg", "")
+
+
+def test_the_recorded_altitude_is_used_where_it_is_wanted(run, scene, solved, tmp_path):
+    photo = read_photo(str(scene.folder / "north.jpg"))
+    ground_m = solved[1]["north"]["eye_z"] - 1.7
+    path = tmp_path / "tower.jpg"
+    write_photo(str(path), photo.pixels, replace(photo.metadata, altitude_m=ground_m + 45.0))
+    layer = points([("photo", str)], [(scene.positions["north"], [str(path)])])
+    wanted = {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:", "USE_ALTITUDE": True}
+    (found,) = run("orientphotos", wanted)[0]["OUTPUT"].getFeatures()
+    assert found["eye_z"] == pytest.approx(ground_m + 45.0, abs=0.1)
+    assert found["observ_hgt"] == pytest.approx(45.0, abs=0.1)
+    assert "and was used" in found["message"]
 
 
 def test_bad_rows_fail_with_a_sentence_and_the_others_go_on(run, scene):

@@ -36,7 +36,7 @@ def test_parameters_are_the_contract(algorithm):
     it = algorithm("photoviewshed")
     names = {definition.name() for definition in it.parameterDefinitions()}
     wanted = "FOLDER INPUT PHOTO_FIELD DEM BAND METHOD COMPASS HFOV_FIELD HEIGHT_FIELD EYE_HEIGHT MAX_DISTANCE "
-    wanted += "REFRACTION SECTOR TARGET_HEIGHT MIN_DISTANCE OUTPUT POLYGONS VIEWSHED REPORT"
+    wanted += "USE_ALTITUDE REFRACTION SECTOR TARGET_HEIGHT MIN_DISTANCE OUTPUT POLYGONS VIEWSHED REPORT"
     assert set(wanted.split()) <= names
 
 

@@ -128,10 +128,46 @@ def test_the_cache_is_bounded(dem, scene):
     assert cache.profile(dem, Observer(longitude, latitude, 2), options) is not profiles[0]
 
 
-def test_an_eye_elevation_is_used_and_a_contradicting_altitude_noted(scene, dem, north):
+def test_an_eye_elevation_is_used(scene, dem, north):
     high = north.ground_elevation_m + 100.0
     found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), eye_elevation_m=high), dem)
     assert found.eye_elevation_m == pytest.approx(high)
+
+
+@pytest.fixture(scope="module")
+def aloft(scene, north, tmp_path_factory):
+    """The photo with a recorded altitude 60 m above the ground; takes the altitude's reference."""
+
+    def write(reference):
+        photo = read_photo(str(scene.folder / "north.jpg"))
+        altitude = {"altitude_m": north.ground_elevation_m + 60.0, "altitude_reference": reference}
+        path = str(tmp_path_factory.mktemp("aloft") / "aloft.jpg")
+        write_photo(path, photo.pixels, replace(photo.metadata, **altitude))
+        assert read_photo(path).metadata.altitude_reference == reference
+        return path
+
+    return write
+
+
+def test_an_altitude_that_contradicts_the_dem_is_noted_and_used_only_where_it_is_trusted(dem, north, aloft):
+    path = aloft("sea level")
+    careful, trusting = (orient_request(PhotoRequest(path, use_altitude=use), dem) for use in (False, True))
+    assert careful.eye_elevation_m == pytest.approx(north.eye_elevation_m)
+    assert "60 m above the DEM's surface; the DEM was used" in " ".join(careful.orientation.notes)
+    assert trusting.eye_elevation_m == pytest.approx(north.ground_elevation_m + 60.0, abs=0.1)
+    assert "60 m above the DEM's surface and was used" in " ".join(trusting.orientation.notes)
+
+
+def test_an_elevation_that_is_given_comes_before_a_trusted_altitude(dem, north, aloft):
+    high = north.ground_elevation_m + 100.0
+    found = orient_request(PhotoRequest(aloft("sea level"), use_altitude=True, eye_elevation_m=high), dem)
+    assert found.eye_elevation_m == pytest.approx(high)
+
+
+def test_an_altitude_above_the_ellipsoid_is_not_taken_for_one_above_the_sea(dem, north, aloft):
+    found = orient_request(PhotoRequest(aloft("ellipsoid"), use_altitude=True), dem)
+    assert found.eye_elevation_m == pytest.approx(north.eye_elevation_m)
+    assert "counts from the ellipsoid" in " ".join(found.orientation.notes)
 
 
 def test_an_approximate_heading_and_a_landmark_are_used(scene, dem, north):

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from skyline_viewshed.core.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
 from skyline_viewshed.core.errors import MissingMetadataError, ObserverOutsideDemError
 from skyline_viewshed.core.horizon import HorizonOptions
 from skyline_viewshed.core.io.photo import read_photo
@@ -17,6 +18,12 @@ METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
 def test_a_given_field_of_view_comes_before_the_file_s_focal_length():
     assert camera_prior(METADATA, hfov_deg=60.0).camera.hfov_deg == pytest.approx(60.0)
     assert camera_prior(METADATA).camera.focal_px == pytest.approx(5000 * 35 / np.hypot(36, 24))
+
+
+def test_the_file_s_doubt_about_its_focal_length_reaches_the_fit():
+    doubted = replace(METADATA, focal_sigma=DOUBTFUL_FOCAL_SIGMA)
+    assert camera_prior(doubted).focal_sigma == DOUBTFUL_FOCAL_SIGMA
+    assert camera_prior(doubted, hfov_deg=60.0).focal_sigma == FOCAL_SIGMA, "a given field of view is not in doubt"
 
 
 def test_no_focal_length_and_no_field_of_view_is_said_with_the_remedy():

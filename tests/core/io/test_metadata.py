@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from skyline_viewshed.core.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA, focal_from_35mm_px
 from skyline_viewshed.core.io.metadata import interpret
 
 NAN = float("nan")
@@ -25,6 +26,7 @@ def test_without_tags_everything_is_unknown():
     found = fields()
     assert found.pop("orientation") == 1
     assert found.pop("notes") == ()
+    assert found.pop("focal_sigma") == FOCAL_SIGMA
     assert set(found.values()) == {None}
 
 
@@ -150,10 +152,56 @@ def test_the_focal_plane_gives_the_equivalent_where_none_is_recorded(unit, per_u
     assert "derived" in found["notes"][0]
 
 
-def test_a_resampled_copy_keeps_its_field_and_a_cropped_one_loses_it():
+def test_a_resampled_copy_keeps_its_field_and_a_cropped_one_shows_less():
     tags = full_frame(6000, 4000, 2.0, 25.4)
     assert interpret(tags, 1500, 1000)["focal_length_35mm"] == pytest.approx(50.0)
-    assert interpret(tags, 3000, 3000)["focal_length_35mm"] is None
+    assert interpret(tags, 3000, 3000)["focal_length_35mm"] == pytest.approx(50.0 * np.hypot(6, 4) / np.hypot(3, 3))
+
+
+CROPS = {
+    "not cropped": ((4032, 3024), (4032, 3024), 1.0),
+    "turned": ((4032, 3024), (3024, 4032), 1.0),
+    "reduced": ((4288, 2848), (858, 570), 1.0),
+    "cropped by the phone's own editor": ((4032, 3024), (2566, 3313), np.hypot(4032, 3024) / np.hypot(2566, 3313)),
+    "a wide strip": ((4032, 3024), (4032, 2268), np.hypot(4032, 3024) / np.hypot(4032, 2268)),
+    "a wide strip, reduced": ((4032, 3024), (1024, 576), np.hypot(4032, 3024) / np.hypot(4032, 2268)),
+    "stitched": ((4032, 3024), (9000, 3000), 1.0),
+}
+
+
+@pytest.mark.parametrize("case", CROPS)
+def test_a_crop_narrows_the_field_and_is_said(case):
+    (recorded_width, recorded_height), (width, height), factor = CROPS[case]
+    tags = {
+        "FocalLengthIn35mmFilm": (26.0,),
+        "PixelXDimension": (float(recorded_width),),
+        "PixelYDimension": (float(recorded_height),),
+    }
+    found = interpret(tags, width, height)
+    assert found["focal_length_35mm"] == pytest.approx(26 * factor, rel=1e-3)
+    assert any("part of what the camera took" in note for note in found["notes"]) == (factor > 1)
+    # A crop keeps the angle between two pixels: the focal length in pixels is that of the camera's own picture.
+    if factor > 1 and width > 2000:
+        pixels = focal_from_35mm_px(width, height, found["focal_length_35mm"])
+        assert pixels == pytest.approx(focal_from_35mm_px(recorded_width, recorded_height, 26.0))
+
+
+@pytest.mark.parametrize(
+    "size, tags, doubtful",
+    [
+        ((4032, 3024), {}, False),
+        ((2832, 4256), {}, False),
+        ((4032, 3024), {"DigitalZoomRatio": (1.0,)}, False),
+        ((4032, 3024), {"DigitalZoomRatio": (0.0,)}, False),
+        ((4032, 3024), {"DigitalZoomRatio": (1.9,)}, True),
+        ((4032, 2268), {}, True),
+        ((4032, 2268), {"PixelXDimension": (4032.0,), "PixelYDimension": (3024.0,)}, True),
+        ((3000, 3000), {}, True),
+    ],
+)
+def test_zoom_crop_and_odd_shapes_widen_the_belief_in_the_focal_length(size, tags, doubtful):
+    found = interpret({"FocalLengthIn35mmFilm": (26.0,), **tags}, *size)
+    assert found["focal_sigma"] == (DOUBTFUL_FOCAL_SIGMA if doubtful else FOCAL_SIGMA)
 
 
 def test_digital_zoom_narrows_a_derived_field():
