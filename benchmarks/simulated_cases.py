@@ -26,9 +26,10 @@ from skyline_viewshed.core.render_viewpoint import ViewpointOptions, find_view
 from skyline_viewshed.core.terrain import Observer
 
 ROOT = Path(__file__).resolve().parent.parent
-LEVELS = ("perfect", "clean", "full")
-"""perfect: the true skyline, drawn from the matcher's own DEM at the true position; clean: clear weather, ordinary
-lenses, 5 m GPS; full: everything."""
+SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2}
+LEVELS = tuple(SEEDS)
+"""perfect: the true skyline, drawn from the matcher's own DEM at the true position; exact: clear weather, ordinary
+lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: everything."""
 
 REAL_DEMS = (
     "khumbu/dem/khumbu.tif",
@@ -103,34 +104,37 @@ def dem_of(path):
 
 def draw_case(seed, index, level, paths, long_side_px=1024):
     """Draw one case; deterministic in all arguments."""
-    generator = np.random.Generator(np.random.PCG64([seed, index, LEVELS.index(level)]))
+    generator = np.random.Generator(np.random.PCG64([seed, index, SEEDS[level]]))
+    clear, own_dem = level in ("exact", "clean"), level in ("perfect", "exact")
     # Procedural and real mountains alternate, whatever is at hand.
     path = paths[int(generator.random() * len(paths))]
     dem = dem_of(path)
     cell_m = dem.frame(*map(float, dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)), 2_000.0).cell_m
     strength = 0.0 if level == "perfect" else float(np.exp(np.log(0.8) + np.log(3.0) * generator.random()))
-    factor = 1 if level == "perfect" else (4 if cell_m > 50 else 2)
+    factor = 1 if own_dem else (4 if cell_m > 50 else 2)
     detail_seed = int(generator.integers(2**31))
     terrain = terrain_of(path, factor, detail_seed, strength)
     camera, f35 = _draw_camera(generator, level, long_side_px)
-    roll_sigma = 1.2 if level == "clean" else 2.8
-    options = ViewpointOptions(roll_sigma_deg=roll_sigma, largest_roll_deg=3.0 if level == "clean" else 8.0)
+    options = ViewpointOptions(roll_sigma_deg=1.2 if clear else 2.8, largest_roll_deg=3.0 if clear else 8.0)
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, terrain)
     scene_seed = int(generator.integers(2**31))
     scene = clean_scene(scene_seed) if level != "full" else hard_scene(scene_seed)
-    if level == "clean":
+    if clear:
         scene = clean_scene(
             scene_seed,
             sun_azimuth_deg=360 * generator.random(),
             sun_elevation_deg=15 + 45 * generator.random(),
             visibility_m=80_000 + 120_000 * generator.random(),
         )
-    sigma = {"perfect": 0.0, "clean": 3.0, "full": min(3.0 - 7.0 * np.log(1 - generator.random()), 20.0)}[level]
+    long_tail = min(3.0 - 7.0 * np.log(1 - generator.random()), 20.0)
+    sigma = {"perfect": 0.0, "exact": 3.0, "clean": 3.0, "full": long_tail}[level]
     east, north = sigma * np.sqrt(-np.log(1 - generator.random(2)))
     east, north = (np.array([east, north]) * np.sign(generator.random(2) - 0.5)).tolist()
     metadata = _metadata(generator, observer, camera, pose, f35, east, north, sigma)
     error_m = float(np.hypot(east, north))
     name = f"{level}_{seed}_{index:04d}"
+    if own_dem:
+        strength = 0.0
     return Case(name, level, path, factor, strength, observer, camera, pose, scene, metadata, error_m, detail_seed)
 
 
@@ -151,7 +155,7 @@ def _draw_camera(generator, level, long_side):
     else:
         hfov = np.exp(np.log(4.0) + np.log(75 / 4.0) * generator.random())
         f35 = focal_of_fov_px(width, hfov) * DIAGONAL_35MM / np.hypot(width, height)
-    if level == "clean":
+    if level in ("exact", "clean"):
         f35 = float(np.clip(f35, 24, 85))
     f35 = max(int(round(f35)), 13)
     wrong = 0.0 if level == "perfect" else 0.012

@@ -47,6 +47,14 @@ def test_a_case_is_drawn_alike_every_time_and_levels_keep_their_promise(cases, s
     assert perfect.metadata.latitude_deg == pytest.approx(perfect.observer.latitude_deg, abs=1e-9)
 
 
+def test_exact_and_clean_scenes_differ_by_the_mountain_alone(cases, small_dems):
+    exact, clean = (cases.draw_case(5, 2, level, small_dems, 160) for level in ("exact", "clean"))
+    assert (exact.factor, exact.roughness) == (1, 0.0)
+    assert clean.factor > 1 and clean.roughness > 0
+    assert exact.camera == clean.camera and exact.metadata.focal_length_35mm == clean.metadata.focal_length_35mm
+    assert abs(exact.pose.roll_deg) <= 3 and 0 < exact.gps_error_m < 20
+
+
 def test_a_taken_case_reads_back_with_the_truth_of_its_row(cases, small_dems, tmp_path):
     case = cases.draw_case(5, 1, "perfect", small_dems, 200)
     path, view = cases.take(case, str(tmp_path))
