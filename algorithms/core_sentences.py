@@ -77,6 +77,10 @@ SENTENCES = (
     mark("nothing was written"),
     mark("The photo {a} cannot be written: name it .jpg or .heic."),
     mark("The photo {a} cannot be written: {b}. Choose another folder or free some space."),
+    mark(
+        "The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the "
+        "skyline."
+    ),
     mark("Landmark {a} is met to within {b}."),
     mark("{a} pixels"),
     mark("{a} degrees"),

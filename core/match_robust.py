@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from .angles import wrap_360
+from .match_behind import LEAST_SHARE, crest_share
 from .match_calibration import table
 from .match_evidence import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .match_finding import examine, relief_px
@@ -31,6 +32,11 @@ from .progress import SILENT, subtask
 
 LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
+
+
+BEHIND_NOTE = (
+    "The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline."
+)
 
 
 @dataclass(frozen=True)
@@ -101,12 +107,12 @@ def match_robust(
     refusal = _refusal(evidence, horizon, landmarks)
     if refusal:
         return Orientation("rejected", refusal)
-    answers = find_answers(
-        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress
-    )
-    answers, probability = judge(answers, heading_prior)
+    known = camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner
+    found, behind = _look(evidence, known, progress)
+    if behind:
+        evidence = evidence.rival
+    answers, probability, status = found.answers, found.probability, found.status
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
-    status, message = verdict(finding, probability, options.posterior, bool(landmarks))
     # Of an accepted answer the interval tells how exact it is; how sure it is, p_correct tells.
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     full = camera_prior.camera
@@ -118,7 +124,7 @@ def match_robust(
     _, second = _skyline_residual(answers.objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
     return Orientation(
         status,
-        message,
+        found.message,
         candidates,
         heading_lo_deg=lo,
         heading_hi_deg=hi,
@@ -129,8 +135,44 @@ def match_robust(
         ncc_second=second,
         sharpness=sharpness(answers.coarse.heading_deg, answers.coarse.score, candidates[0].pose.heading_deg),
         residual_px=residual,
-        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose) + _edge_notes(answers),
+        notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose)
+        + _edge_notes(answers)
+        + ((BEHIND_NOTE,) if behind else ()),
+        behind=behind,
     )
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """Answers to one evidence, the probability of each, and the best one's status and message."""
+
+    answers: Answers
+    probability: np.ndarray
+    status: str
+    message: str
+
+
+def _look(evidence, known, progress):
+    """Judged answers, and whether they are those to the evidence's rival; `known` as `match_robust` takes it."""
+    inner = known[-1]
+    if evidence.rival is None or inner is None:
+        return _judged(evidence, *known, progress), False
+    found = _judged(evidence, *known, subtask(progress, 0.0, 0.6))
+    if found.status == "accepted":
+        return found, False
+    behind = _judged(evidence.rival, *known, subtask(progress, 0.6, 1.0))
+    share = crest_share(behind.answers.objective, behind.answers.trials[0], evidence, inner.ridges)
+    if share < LEAST_SHARE or behind.probability[0] <= found.probability[0]:
+        return found, False
+    return behind, True
+
+
+def _judged(evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress):
+    answers = find_answers(
+        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress
+    )
+    answers, probability = judge(answers, heading_prior)
+    return Judged(answers, probability, *verdict(answers.finding, probability, options.posterior, bool(landmarks)))
 
 
 def _edge_notes(answers):

@@ -126,6 +126,8 @@ class SkylineEvidence:
         Probability that terrain fills the column, so that its skyline lies above the picture; None: nowhere.
     thumbnail : (h', w', 3) float32 array or None
         The picture itself, RGB 0 to 255, much reduced and NaN where it was cut off, for second evidence.
+    rival : SkylineEvidence or None
+        The same if the best line is a crest before farther terrain: what there is above it. None where that is little.
     """
 
     probability: np.ndarray
@@ -137,6 +139,7 @@ class SkylineEvidence:
     ridge_score: np.ndarray | None = None
     leaves_frame: np.ndarray | None = None
     thumbnail: np.ndarray | None = None
+    rival: SkylineEvidence | None = None
 
 
 @dataclass(frozen=True)
@@ -174,6 +177,8 @@ class Orientation:
         Image skyline minus projected horizon along the columns of the reduced picture [pixels of the full picture].
     notes : tuple of str
         Remarks worth telling the user (eye height disagreement, clipped horizon, ...).
+    behind : bool
+        The horizon was matched with the evidence's rival.
     """
 
     status: str
@@ -189,6 +194,7 @@ class Orientation:
     sharpness: float | None = None
     residual_px: np.ndarray | None = None
     notes: tuple = ()
+    behind: bool = False
 
     @property
     def best(self):

@@ -205,6 +205,8 @@ def _robustly(photo, prior, horizon, inner, options, hints, position_error_m, pr
         inner,
         subtask(progress, 0.4, 1.0),
     )
+    if orientation.behind:
+        evidence = evidence.rival
     return orientation, evidence.best, evidence
 
 

@@ -9,7 +9,7 @@ whichever heading explains one of them. `best` is for drawing.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -34,6 +34,18 @@ BELIEVABLE = 0.1
 
 TOP_ROWS = 2
 """A line in the first rows is the frame's own edge, not a skyline."""
+
+RIVAL_GAP_PX = 4
+"""A rival lies farther above the best line than this, beyond the line's own uncertainty."""
+
+RIVAL_LEAST = 0.02
+"""And holds more than this of a column's probability."""
+
+RIVAL_SHARE = 0.2
+"""In at least this share of the columns."""
+
+NOWHERE = -100.0
+"""Log-score of a row that is ruled out."""
 
 
 @dataclass(frozen=True)
@@ -114,18 +126,42 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         ratio = relearn_sky(appearance, probability, ratio)
         score, probability = _believe(appearance, ratio, options)
     line = best_line(score, options.seam_cost_per_px)
-    inside, leaves_frame = _cut_ridges_apart(probability)
-    return SkylineEvidence(
-        _framed(inside, crop, reduced.shape),
-        _skyline(line, probability, crop, reduced.shape),
-        width_px or width,
-        height_px or height,
-        crop,
-        _framed(ratio, crop, reduced.shape, 0),
-        _framed(_ridges(appearance, probability), crop, reduced.shape, 0),
-        np.pad(leaves_frame, (left, right)),
-        thumbnail(reduced, crop),
+    evidence = SkylineEvidence(
+        **_laid_out(probability, line, crop, reduced.shape),
+        width_px=width_px or width,
+        height_px=height_px or height,
+        crop=crop,
+        sky_score=_framed(ratio, crop, reduced.shape, 0),
+        ridge_score=_framed(_ridges(appearance, probability), crop, reduced.shape, 0),
+        thumbnail=thumbnail(reduced, crop),
     )
+    rival = _rival(score, probability, line, options)
+    if rival is None:
+        return evidence
+    return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
+
+
+def _laid_out(probability, line, crop, shape):
+    """What evidence holds of one belief about the skyline, in the frame of the whole reduced picture."""
+    inside, leaves_frame = _cut_ridges_apart(probability)
+    return {
+        "probability": _framed(inside, crop, shape),
+        "best": _skyline(line, probability, crop, shape),
+        "leaves_frame": np.pad(leaves_frame, crop[2:]),
+    }
+
+
+def _rival(score, probability, line, options):
+    """Probability and line once more, with all rows above the best line alone; None where little is there."""
+    rows = np.arange(len(score))[:, None]
+    above = (rows < line - RIVAL_GAP_PX) & (rows > 0)
+    held = np.where(above, np.exp(score), 0).sum(0) > RIVAL_LEAST
+    if held.mean() < RIVAL_SHARE:
+        return None
+    score = np.where(above, score, NOWHERE)
+    marginal = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
+    rival = best_line(score, options.seam_cost_per_px)
+    return np.where(held, marginal, probability), np.where(held, rival, line)
 
 
 def _believe(appearance, ratio, options):

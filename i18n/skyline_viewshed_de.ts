@@ -461,6 +461,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>Landmarke {a} ist auf {b} getroffen.</translation>
     </message>

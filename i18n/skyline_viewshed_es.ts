@@ -461,6 +461,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>El punto de referencia {a} se acierta con {b}.</translation>
     </message>

@@ -461,6 +461,11 @@
     </message>
     <message>
         <location filename="../algorithms/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/core_sentences.py"/>
         <source>Landmark {a} is met to within {b}.</source>
         <translation>Le point de repère {a} est atteint à {b} près.</translation>
     </message>

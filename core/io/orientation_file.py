@@ -74,7 +74,7 @@ def packed(oriented, mark):
         Of `orientation_mark`.
     """
     if oriented.evidence is not None:
-        oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None))
+        oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None, rival=None))
     arrays = {}
     tree = {"mark": mark, "photo": _plain(oriented, arrays)}
     target = io.BytesIO()

@@ -54,6 +54,33 @@ def rows_off(evidence, truth):
     return np.abs(evidence.best.row_px - np.interp(columns, np.arange(len(truth)), truth) * scale)
 
 
+def plain_before_a_range(edge_px=230, height=384, width=512):
+    """A pale range under a blue sky behind the straight edge of a dark plain; uint8 RGB and the range's rows."""
+    rng = np.random.default_rng(4)
+    row_px = ridge_rows(width, height, 0.5, 0.06)
+    y = np.arange(height)[:, None]
+    sky = np.array([120.0, 160, 215]) + (y / height * 60)[..., None] * np.array([1.0, 0.8, 0.2])
+    picture = np.broadcast_to(sky, (height, width, 3)).copy()
+    picture[(y >= row_px) & (y < edge_px)] += 35 * np.array([1.0, 0.9, 0.6])
+    rock = sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s * 20 for s in (0.7, 2.0, 5.0))
+    picture[edge_px:] = (np.clip(45 + rock, 5, 120)[..., None] * np.array([0.8, 1.0, 0.6]))[edge_px:]
+    return np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
+
+
+def test_a_pale_range_behind_a_dark_plain_is_kept_as_the_rival():
+    pixels, truth = plain_before_a_range()
+    evidence = skyline_evidence(pixels)
+    assert np.median(np.abs(evidence.best.row_px - 230)) < 2, "the plain stands out; if not, this scene is no test"
+    assert np.median(np.abs(evidence.rival.best.row_px - truth)) < 2
+    assert evidence.rival.rival is None
+    total = evidence.rival.probability.sum(axis=0) + evidence.rival.leaves_frame
+    np.testing.assert_allclose(total, 1, atol=1e-3)
+
+
+def test_an_empty_sky_holds_no_rival(clear):
+    assert clear[2].rival is None
+
+
 @pytest.mark.parametrize(
     ("size", "haze"), [((512, 384), 0.5), ((384, 512), 0.0), ((1200, 800), 0.5), ((300, 200), 0.0)]
 )
