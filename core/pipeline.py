@@ -188,17 +188,19 @@ def orient_photo(
 
 
 def _robustly(photo, prior, horizon, inner, options, hints, position_error_m, progress):
-    metadata = photo.metadata
+    metadata, robust = photo.metadata, options.robust
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
-    elif evidence.thumbnail is None:  # a given skyline tells nothing of the picture below it
+    else:
+        # A given skyline places the answer better than the small picture of the ground below it, which tells which.
         evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
+        robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
     orientation = match_robust(
         evidence,
         prior,
         horizon,
-        options.robust,
+        robust,
         hints.heading,
         hints.landmarks,
         position_error_m,

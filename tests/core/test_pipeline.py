@@ -2,14 +2,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from skyline_viewshed.core import match_robust
 from skyline_viewshed.core.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
 from skyline_viewshed.core.errors import MissingMetadataError, ObserverOutsideDemError
 from skyline_viewshed.core.horizon import HorizonOptions
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.model import Photo, PhotoMetadata
-from skyline_viewshed.core.pipeline import OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
 from skyline_viewshed.core.raycast_paper import PaperHorizonOptions
+from skyline_viewshed.core.skyline_given import evidence_from_line
 from skyline_viewshed.core.terrain import Observer
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
@@ -57,6 +59,25 @@ def test_everything_that_a_report_needs_comes_with_the_answer(scene, taken):
     assert len(found.orientation.residual_px) == found.skyline.width_px
     assert found.camera.width_px == photo.metadata.width_px
     assert found.horizon.eye_elevation_m == found.eye_elevation_m
+
+
+def test_the_ground_places_an_extracted_skyline_s_answer_and_not_a_given_one_s(taken, monkeypatch):
+    photo, dem, observer = taken
+    turned, turn = [], match_robust.turn
+    monkeypatch.setattr(match_robust, "turn", lambda *given: turned.append(1) or turn(*given))
+    found = orient_photo(photo, dem, observer, camera_prior(photo.metadata))
+    assert turned
+    del turned[:]
+    drawn = evidence_from_line(
+        np.arange(found.skyline.width_px) * photo.metadata.width_px / found.skyline.width_px,
+        found.skyline.row_px * photo.metadata.height_px / found.skyline.height_px,
+        photo.metadata.width_px,
+        photo.metadata.height_px,
+    )
+    again = orient_photo(photo, dem, observer, camera_prior(photo.metadata), hints=Hints(evidence=drawn))
+    assert not turned
+    heading_deg = found.orientation.best.pose.heading_deg
+    assert again.orientation.best.pose.heading_deg == pytest.approx(heading_deg, abs=0.3)
 
 
 def test_a_picture_of_one_colour_is_rejected_not_failed(taken):
