@@ -123,8 +123,9 @@ def painted_photo(status="accepted", path="/photos/IMG_0001.HEIC", heading_deg=1
     )
     camera = seen.camera
     metadata = PhotoMetadata(
-        path, camera.width_px, camera.height_px, 46.5, 8.0, 2000.0, "sea level", 24.0, None, 1, 121.0, "T", 5.0,
-        datetime(2024, 7, 1, 6, 30), "Maker Model",
+        path, camera.width_px, camera.height_px, 46.5, 8.0, altitude_m=2000.0, altitude_reference="sea level",
+        focal_length_35mm=24.0, compass_heading_deg=121.0, compass_reference="T", position_error_m=5.0,
+        taken_at=datetime(2024, 7, 1, 6, 30), camera="Maker Model",
     )  # fmt: skip
     photo = OrientedPhoto(
         path, orientation, metadata, picture.astype(np.uint8), camera, seen.evidence.best, seen.evidence, seen.horizon,
