@@ -13,7 +13,7 @@ from skyline_viewshed.core import imaging
 from skyline_viewshed.core.errors import SkylineNotFoundError
 from skyline_viewshed.core.skyline_evidence import EvidenceOptions, shipped_weights, skyline_evidence
 
-DATA = Path(os.environ.get("SKYLINE_DATA", Path(__file__).parents[3] / "shared" / "data"))
+DATA = Path(os.environ.get("SKYLINE_DATA") or Path(__file__).parents[3] / "shared" / "data")
 
 
 def ridge_rows(width, height, mean=0.4, swing=0.12):
