@@ -22,15 +22,13 @@ from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
 from .model import Orientation, OrientedPhoto
 from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
-from .prior import HeadingPrior, Landmark
+from .prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, Landmark
 from .progress import SILENT, subtask
 from .skyline_given import evidence_from_line, evidence_from_mask
 from .terrain import Observer, eye_elevation_m, ground_elevation_m
 
 PREVIEW_PX = 1024
 """Long side of the pictures that the robust method and the figures work with; the evidence itself uses 512."""
-
-TYPICAL_POSITION_ERROR_M = 8.0
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,6 @@ import numpy as np
 
 from .match_geometry import horizon_rows
 
-TYPICAL_POSITION_ERROR_M = 8.0
-"""Of a phone's GPS under open sky."""
-
 
 @dataclass(frozen=True, eq=False)
 class Finding:
@@ -62,7 +59,7 @@ def examine(objective, trials, score, scale, probability, position_error_m, floo
         `scale` is the multiple of the expected tolerance at which a trial fits best.
     probability : (h, w) array
         p(row | column).
-    position_error_m : float or None
+    position_error_m : float
         Standard deviation of the position [m].
     floor_deg : float
         Smallest standard deviation that a heading is credited with [degrees].
@@ -101,7 +98,7 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trials, objective.columns(4))
     distance = np.median(objective.curve.distance_m[objective.curve.nearest(azimuth)], axis=1)
     terrain = np.degrees(scale * objective.options.terrain_error_cells * objective.curve.cell_m / distance)
-    shift = np.degrees((TYPICAL_POSITION_ERROR_M if position_error_m is None else position_error_m) / distance)
+    shift = np.degrees(position_error_m / distance)
     return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
 
 

@@ -4,8 +4,9 @@ All candidates move together, as rows of one array; each has its own damping. Th
 
     S = mean over columns of B(column, row(trial); s) - L * (penalties on roll, focal length, distortion),
 
-with s^2 = (pixel error)^2 + (c * cell / distance * focal)^2: the DEM's own error by the distance of the horizon
-point, times a scale that each candidate chooses for itself.
+with s^2 = k^2 ((pixel error)^2 + (c * cell / distance * focal)^2) + (slope * position error / distance * focal)^2:
+the DEM's own error by the distance of the horizon point, times a scale k that each candidate chooses for itself, and
+what the eye's displacement does to near ground, which no good fit elsewhere makes smaller.
 """
 
 from __future__ import annotations
@@ -44,14 +45,17 @@ class RefineOptions:
         Number of independent column groups: 1 / L.
     roll_sigma_deg, k1_sigma : float
         Spreads of the Gaussian priors; 0 holds k1 at the camera's own value.
+    ground_slope : float
+        Rise of the ground per metre, by which a displaced eye sees a crest higher or lower.
     """
 
     terrain_error_cells: float = 0.25
     pixel_error_px: float = 2.0
-    error_scales: tuple = (0.15, 0.35, 0.7, 1.0, 1.5, 2.0, 3.0)
+    error_scales: tuple = (0.05, 0.15, 0.35, 0.7, 1.0, 1.5, 2.0, 3.0)
     effective_columns: float = 15.0
     roll_sigma_deg: float = 3.0
     k1_sigma: float = 0.0
+    ground_slope: float = 0.5
 
     def __post_init__(self):
         if not (self.terrain_error_cells > 0 and self.pixel_error_px > 0 and self.effective_columns > 0):
@@ -72,13 +76,16 @@ class Objective:
     options : RefineOptions
     landmarks : sequence of prior.Landmark, optional
         In pixels of the reduced picture.
+    position_error_m : float
+        Standard deviation of the eye's position [m].
     """
 
-    def __init__(self, stack, camera, curve, focal_sigma, options=RefineOptions(), landmarks=()):
+    def __init__(self, stack, camera, curve, focal_sigma, options=RefineOptions(), landmarks=(), position_error_m=0.0):
         self.stack, self.camera, self.curve = stack, camera, curve
         self.options, self.landmarks = options, tuple(landmarks)
         self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, focal_sigma, options.k1_sigma])
         self.free = self.sigma > 0
+        self._eye_error_m = options.ground_slope * position_error_m
         place = [(m.azimuth_deg, m.elevation_deg, m.x_px, m.y_px, m.sigma_px) for m in self.landmarks]
         self._landmark = np.array(place, float).reshape(-1, 5).T
 
@@ -86,32 +93,32 @@ class Objective:
         """Every `stride`-th of the picture's columns that have evidence."""
         return self.stack.informative[stride // 2 :: stride]
 
-    def rows(self, trials, columns):
-        """Rows of the horizon and their tolerance before scaling: two (K, C) arrays [pixels]."""
+    def rows(self, trials, columns, scale=1.0):
+        """Rows of the horizon and their tolerance at `scale` (a number or (K,)): two (K, C) arrays [pixels]."""
         row, azimuth, _ = horizon_rows(self.curve, self.camera, trials, columns)
-        return self._known_rows(trials, row, azimuth)
+        return self._known_rows(trials, row, azimuth, scale)
 
-    def _known_rows(self, trials, row, azimuth):
+    def _known_rows(self, trials, row, azimuth, scale):
         nearest = self.curve.nearest(azimuth)
-        focal = self.camera.focal_px * np.exp(trials[:, 3:4])
-        terrain = self.options.terrain_error_cells * self.curve.cell_m / self.curve.distance_m[nearest] * focal
+        px_per_metre = self.camera.focal_px * np.exp(trials[:, 3:4]) / self.curve.distance_m[nearest]
+        terrain = self.options.terrain_error_cells * self.curve.cell_m * px_per_metre
+        clipped = np.where(self.curve.clipped[nearest], CLIPPED_FACTOR, 1.0)
+        scaled = np.reshape(scale, (-1, 1)) * clipped * np.hypot(self.options.pixel_error_px, terrain)
         row = np.where(self.curve.known[nearest], row, np.nan)
-        tolerance = np.sqrt(np.square(self.options.pixel_error_px) + np.square(terrain))
-        return row, tolerance * np.where(self.curve.clipped[nearest], CLIPPED_FACTOR, 1.0)
+        return row, np.hypot(scaled, self._eye_error_m * px_per_metre)
 
     def score(self, trials, scale, stride=1):
         """Penalised scores (K,) of (K, 5) trials; `scale` is a number or (K,)."""
         columns = self.columns(stride)
-        row, tolerance = self.rows(trials, columns)
-        value = self.stack.look_up(columns, row, tolerance * np.reshape(scale, (-1, 1)))
+        row, tolerance = self.rows(trials, columns, scale)
+        value = self.stack.look_up(columns, row, tolerance)
         return value.mean(axis=1) - self._penalty(trials)
 
     def expand(self, trials, scale, stride=1):
         """Score (K,), its gradient (K, 5) and a positive curvature (K, 5, 5) of (K, 5) trials."""
         columns = self.columns(stride)
         row, azimuth, jacobian = horizon_rows(self.curve, self.camera, trials, columns, derivatives=True)
-        row, tolerance = self._known_rows(trials, row, azimuth)
-        tolerance = tolerance * np.reshape(scale, (-1, 1))
+        row, tolerance = self._known_rows(trials, row, azimuth, scale)
         value = self.stack.look_up(columns, row, tolerance)
         reach = 0.5 * tolerance
         slope = self.stack.look_up(columns, row + reach, tolerance) - self.stack.look_up(

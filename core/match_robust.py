@@ -28,6 +28,7 @@ from .match_ridges import RidgeMatchOptions
 from .match_search import SearchOptions, coarse_search
 from .match_turn import TurnOptions, turn
 from .model import Candidate, Orientation
+from .prior import TYPICAL_POSITION_ERROR_M
 from .progress import SILENT, subtask
 
 LEAST_COLUMNS_SHARE = 0.05
@@ -47,8 +48,8 @@ class RobustOptions:
     ----------
     evidence, search, refine, ridges, ground, turn, posterior : options of the stages
     short_scales : tuple of float
-        Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then as fine as the
-        right answer can stand, since at a wide tolerance a wrong answer scores like a right one.
+        Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then finer and finer,
+        since at a wide tolerance a wrong answer scores like a right one, and near terrain like none at all.
     full_fits : int
         Candidates that get the full fit.
     same_answer_deg : float
@@ -64,7 +65,7 @@ class RobustOptions:
     ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
     turn: TurnOptions = field(default_factory=TurnOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
-    short_scales: tuple = (3.0, 1.0, 0.5)
+    short_scales: tuple = (3.0, 1.0, 0.5, 0.15)
     full_fits: int = 14
     same_answer_deg: float = 1.5
     heading_floor_deg: float = 0.1
@@ -77,7 +78,7 @@ def match_robust(
     options=RobustOptions(),
     heading_prior=None,
     landmarks=(),
-    position_error_m=None,
+    position_error_m=TYPICAL_POSITION_ERROR_M,
     inner=None,
     progress=SILENT,
 ):
@@ -92,8 +93,8 @@ def match_robust(
     options : RobustOptions
     heading_prior : prior.HeadingPrior or None
     landmarks : sequence of prior.Landmark
-    position_error_m : float or None
-        Standard deviation of the observer's position [m]; None takes 8 m.
+    position_error_m : float
+        Standard deviation of the observer's position [m].
     inner : inner_terrain.InnerTerrain or None
         Crests and ground below the horizon, for second evidence.
     progress : Progress
@@ -211,7 +212,7 @@ def find_answers(
     curve = HorizonCurve(horizon)
     stack = EvidenceStack(evidence.probability, options.evidence, evidence.leaves_frame)
     marks = scale_landmarks(landmarks, camera_prior.camera, camera)
-    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks)
+    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks, position_error_m)
     coarse = coarse_search(
         stack,
         camera,
@@ -259,7 +260,9 @@ def _fit(objective, starts, second, heading_prior, options, progress):
     score = score + second.score(trials) + _belief(heading_prior, trials[:, 0])
     kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
-    best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, subtask(progress, 0.5, 1.0))
+    # Each from where the short fit left it: at a wide tolerance an answer may drift from a place that is already right.
+    part = subtask(progress, 0.5, 1.0)
+    best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, part, chained=False)
     best_score = best_score + second.score(best)
     first = int(best_score.argmax())
     if second and options.turn.reach_deg > 0:
@@ -269,14 +272,18 @@ def _fit(objective, starts, second, heading_prior, options, progress):
     return best[kept], best_score[kept], scale[kept]
 
 
-def _best_over_scales(objective, trials, scales, stride, progress):
-    """Fit all trials at one tolerance after the other; each keeps its best place, score and scale."""
+def _best_over_scales(objective, trials, scales, stride, progress, chained=True):
+    """Fit all trials at one tolerance after the other; each keeps its best place, score and scale.
+
+    Where `chained`, a tolerance starts from where the one before ended, else from the given trials.
+    """
     best, best_score, best_scale = trials.copy(), np.full(len(trials), -np.inf), np.ones(len(trials))
     for index, scale in enumerate(scales):
         part = subtask(progress, index / len(scales), (index + 1) / len(scales))
-        trials, score = refine(objective, trials, scale, stride, progress=part)
+        fitted, score = refine(objective, trials, scale, stride, progress=part)
         better = score > best_score
-        best[better], best_score[better], best_scale[better] = trials[better], score[better], scale
+        best[better], best_score[better], best_scale[better] = fitted[better], score[better], scale
+        trials = fitted if chained else trials
     return best, best_score, best_scale
 
 

@@ -43,7 +43,8 @@ class SearchOptions:
         Candidates handed on and their smallest distance.
     narrow_deg : float
         Fields of view below this, and skylines whose relief is below a step, are searched at half the step, with more
-        and closer candidates: they hold few steps, and a rival that is missed makes a wrong answer look sure.
+        and closer candidates: they hold few steps, and a rival that is missed makes a wrong answer look sure. Where
+        the relief is below half a step, as over the sea, at a quarter of it.
     """
 
     step_deg: float = 0.4
@@ -56,14 +57,16 @@ class SearchOptions:
 
     def for_picture(self, hfov_deg, relief_deg):
         """Options for a picture's field of view and the relief of its skyline."""
-        if hfov_deg >= self.narrow_deg and relief_deg >= self.step_deg:
+        fine = hfov_deg < self.narrow_deg or relief_deg < self.step_deg
+        halvings = 2 if relief_deg < 0.5 * self.step_deg else int(fine)
+        if not halvings:
             return self
         return replace(
             self,
-            step_deg=0.5 * self.step_deg,
-            tolerance_deg=0.67 * self.tolerance_deg,
-            keep=int(1.5 * self.keep),
-            separation_deg=0.75 * self.separation_deg,
+            step_deg=0.5**halvings * self.step_deg,
+            tolerance_deg=0.67**halvings * self.tolerance_deg,
+            keep=int(1.5**halvings * self.keep),
+            separation_deg=0.75**halvings * self.separation_deg,
         )
 
     def rolls_deg(self, hfov_deg):

@@ -11,7 +11,7 @@ from .inner_terrain import InnerOptions, inner_terrain
 from .match_paper import PaperMatchOptions, match_paper
 from .match_robust import RobustOptions, match_robust
 from .model import Orientation, OrientedPhoto, SkylineEvidence
-from .prior import CameraPrior, HeadingPrior
+from .prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
 from .progress import SILENT, subtask
 from .raycast_paper import PaperHorizonOptions, paper_horizon
 from .skyline_evidence import EvidenceOptions as SkylineOptions
@@ -123,7 +123,7 @@ def orient_photo(
     hints=Hints(),  # noqa: B008 - frozen
     horizon=None,
     inner=None,
-    position_error_m=None,
+    position_error_m=TYPICAL_POSITION_ERROR_M,
     progress=SILENT,
 ):
     """Find where one photograph looks.
@@ -142,7 +142,7 @@ def orient_photo(
         Of this observer, where a photo of the same station has it already.
     inner : InnerTerrain or None
         The same of the terrain below it.
-    position_error_m : float or None
+    position_error_m : float
         Standard deviation of the position [m].
     progress : Progress
 

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from .camera import FOCAL_SIGMA, Camera
 
+TYPICAL_POSITION_ERROR_M = 8.0
+"""Standard deviation of a phone's GPS under open sky."""
+
 
 @dataclass(frozen=True)
 class HeadingPrior:

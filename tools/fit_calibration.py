@@ -77,6 +77,7 @@ def _solve(path, dem):
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match_robust import find_answers
     from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
+    from skyline_viewshed.core.prior import TYPICAL_POSITION_ERROR_M
     from skyline_viewshed.core.skyline_evidence import skyline_evidence
     from skyline_viewshed.core.terrain import Observer
 
@@ -91,7 +92,7 @@ def _solve(path, dem):
     except PhotoError:
         return None
     lens = camera_prior(metadata)
-    position = metadata.position_error_m
+    position = metadata.position_error_m or TYPICAL_POSITION_ERROR_M
     return find_answers(evidence, lens, horizon, options.robust, None, (), position, inner).finding
 
 

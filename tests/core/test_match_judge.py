@@ -11,7 +11,7 @@ from skyline_viewshed.core.prior import CameraPrior, HeadingPrior
 
 def answers_of(scene, heading_prior=None):
     return find_answers(
-        scene.evidence, CameraPrior(scene.camera), scene.horizon, RobustOptions(), heading_prior, (), None, None
+        scene.evidence, CameraPrior(scene.camera), scene.horizon, RobustOptions(), heading_prior, (), 8.0, None
     )
 
 

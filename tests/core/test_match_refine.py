@@ -7,12 +7,11 @@ from skyline_viewshed.core.match_geometry import HorizonCurve
 from skyline_viewshed.core.match_refine import Objective, RefineOptions, distinct, refine
 
 
-def objective_of(scene, focal_sigma=0.025, **options):
+def objective_of(scene, focal_sigma=0.025, position_error_m=0.0, **options):
     probability = scene.evidence.probability
     camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
-    return Objective(
-        EvidenceStack(probability), camera, HorizonCurve(scene.horizon), focal_sigma, RefineOptions(**options)
-    )
+    curve, options = HorizonCurve(scene.horizon), RefineOptions(**options)
+    return Objective(EvidenceStack(probability), camera, curve, focal_sigma, options, position_error_m=position_error_m)
 
 
 def test_a_start_two_degrees_off_reaches_the_pose(match_scenes):
@@ -59,6 +58,19 @@ def test_far_terrain_is_held_to_a_tighter_tolerance_than_near(match_scenes):
     for column, distance_m in ((10, 800.0), (245, 40_000.0)):
         terrain = options.terrain_error_cells * scene.horizon.cell_m / distance_m * focal
         assert tolerance[0, column] == pytest.approx(np.hypot(options.pixel_error_px, terrain))
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.05])
+def test_no_fit_is_finer_than_the_eyes_place_allows(match_scenes, scale):
+    """The eye 20 m off sees a crest 800 m away, on ground that rises by half, 10 / 800 radians higher or lower."""
+    scene = match_scenes.scene(9)
+    scene = replace(scene, horizon=replace(scene.horizon, distance_m=np.full(scene.horizon.azimuth_deg.shape, 800.0)))
+    trial, columns = np.array([[123.4, 3.0, 0.0, 0.0, 0.0]]), np.arange(256)
+    still, moved = objective_of(scene), objective_of(scene, position_error_m=20.0, ground_slope=0.5)
+    _, certain = still.rows(trial, columns, scale)
+    _, uncertain = moved.rows(trial, columns, scale)
+    assert uncertain == pytest.approx(np.hypot(certain, 10 / 800 * moved.camera.focal_px))
+    assert uncertain.min() >= 10 / 800 * moved.camera.focal_px
 
 
 def test_distinct_answers_are_counted_across_north():

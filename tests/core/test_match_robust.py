@@ -1,3 +1,4 @@
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -25,6 +26,21 @@ def test_a_perfect_skyline_gives_the_pose(match_scenes, seed):
     assert miss(found, heading) < 0.2
     assert abs(found.best.pose.pitch_deg - pitch) < 0.2
     assert abs(found.best.pose.roll_deg - roll) < 0.5
+
+
+def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_away(match_scenes, monkeypatch):
+    """Near ground that the DEM draws wrong pulls wide fits aside, out of reach of the fine ones that come after."""
+    fit = sys.modules[match_robust.__module__].refine
+
+    def pulled_aside(objective, trials, scale, stride=1, **rest):
+        trials, score = fit(objective, trials, scale, stride, **rest)
+        if stride == 1 and scale > 1:
+            trials, score = trials + np.array([1.0, 20.0, 4.0, 0.0, 0.0]), score - 1
+        return trials, score
+
+    scene = match_scenes.scene(3, 211.0)
+    monkeypatch.setattr(sys.modules[match_robust.__module__], "refine", pulled_aside)
+    assert miss(solve(scene), 211.0) < 0.2
 
 
 def test_the_interval_holds_the_truth_and_runs_clockwise(match_scenes):

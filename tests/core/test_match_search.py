@@ -42,6 +42,22 @@ def test_narrow_fields_and_flat_skylines_are_searched_more_finely(hfov_deg, reli
     assert options.for_picture(hfov_deg, relief_deg).keep > options.keep
 
 
+def test_a_skyline_like_the_sea_is_searched_more_finely_still():
+    options = SearchOptions()
+    fine, finer = options.for_picture(15.0, 0.3), options.for_picture(15.0, 0.1)
+    assert finer.step_deg == fine.step_deg / 2 == options.step_deg / 4
+    assert finer.keep > fine.keep
+
+
+def test_the_truth_of_a_nearly_level_horizon_is_among_its_candidates():
+    """Swells of 0.06 degrees, less than a third of the ordinary step."""
+    azimuth = np.arange(0, 360, 0.05)
+    knots = np.random.default_rng(11).normal(0, 0.06, 360)
+    scene = _picture_of(azimuth, np.interp(azimuth, np.arange(360), knots, period=360), 14.0, Pose(26.7, -1.3, -2.9))
+    found = _candidates(*scene, SearchOptions().for_picture(14.0, 0.06))
+    assert np.abs(found[:10, 0] - 26.7).min() < 0.3
+
+
 @pytest.mark.parametrize("hfov_deg", [4.0, 20.0, 45.0, 75.0])
 def test_trial_rolls_lie_as_close_as_the_field_asks(hfov_deg):
     """Half-way between two rolls the skyline's tilt stays within 1.5 tolerances, root mean square over the columns."""
@@ -55,20 +71,27 @@ def test_trial_rolls_lie_as_close_as_the_field_asks(hfov_deg):
 
 def test_a_nearly_flat_horizon_in_a_wide_and_tilted_picture_has_the_truth_among_its_candidates():
     azimuth = np.arange(0, 360, 0.1)
-    generator = np.random.default_rng(5)
-    knots = generator.normal(0, 0.3, 180)
+    knots = np.random.default_rng(5).normal(0, 0.3, 180)
     elevation = np.interp(azimuth, np.arange(0, 360, 2.0), knots, period=360)
-    far, never = np.full(azimuth.shape, 30_000.0), np.zeros(azimuth.shape, bool)
-    horizon = HorizonProfile(azimuth, elevation, far, never, never, 1500.0, 30.0, far)
-    camera = Camera(512, 384, focal_of_fov_px(512, 70.0))
-    x, y = project(camera, Pose(211.0, 2.0, -2.5), azimuth, elevation)
+    scene = _picture_of(azimuth, elevation, 70.0, Pose(211.0, 2.0, -2.5))
+    found = _candidates(*scene, SearchOptions().for_picture(70.0, 0.3))
+    assert np.abs(found[:5, 0] - 211.0).min() < 0.5
+
+
+def _picture_of(azimuth_deg, elevation_deg, hfov_deg, pose):
+    """Evidence that a camera of 512 by 384 pixels has of a horizon 30 km away; the camera, and the horizon's curve."""
+    far, never = np.full(azimuth_deg.shape, 30_000.0), np.zeros(azimuth_deg.shape, bool)
+    horizon = HorizonProfile(azimuth_deg, elevation_deg, far, never, never, 1500.0, 30.0, far)
+    camera = Camera(512, 384, focal_of_fov_px(512, hfov_deg))
+    x, y = project(camera, pose, azimuth_deg, elevation_deg)
     seen = np.isfinite(x) & (x > -20) & (x < 532)
     order = np.argsort(x[seen])
-    evidence = evidence_from_line(x[seen][order], y[seen][order], 512, 384)
-    curve, stack = HorizonCurve(horizon), EvidenceStack(evidence.probability)
-    options = SearchOptions().for_picture(70.0, 0.3)
-    found = coarse_search(stack, camera, curve, evidence.probability, options).candidates
-    assert np.abs(found[:5, 0] - 211.0).min() < 0.5
+    return evidence_from_line(x[seen][order], y[seen][order], 512, 384), camera, HorizonCurve(horizon)
+
+
+def _candidates(evidence, camera, curve, options):
+    stack = EvidenceStack(evidence.probability)
+    return coarse_search(stack, camera, curve, evidence.probability, options).candidates
 
 
 def test_candidates_keep_their_distance_across_north():
