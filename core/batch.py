@@ -275,7 +275,4 @@ def _eye_notes(request, metadata, oriented):
 
 
 def _preview(pixels):
-    height, width = pixels.shape[:2]
-    factor = min(1.0, PREVIEW_PX / max(height, width))
-    small = imaging.shrink(pixels, max(1, round(width * factor)), max(1, round(height * factor)))
-    return np.rint(small).astype(np.uint8)
+    return np.rint(imaging.shrink_to(pixels, PREVIEW_PX)).astype(np.uint8)

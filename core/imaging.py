@@ -97,6 +97,13 @@ def shrink(image, width_px, height_px):
     return out
 
 
+def shrink_to(image, long_side_px):
+    """Reduce a picture by `shrink` to a long side [pixels]; one that is smaller keeps its size."""
+    height, width = image.shape[:2]
+    factor = min(1.0, long_side_px / max(height, width))
+    return shrink(image, max(1, round(width * factor)), max(1, round(height * factor)))
+
+
 def _area_weights(size, size_out):
     """(size_out, size) sparse matrix that averages each new pixel's span of old ones."""
     edges = np.arange(size_out + 1) * (size / size_out)

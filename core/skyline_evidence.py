@@ -188,7 +188,7 @@ def _reduce(pixels, work_px):
     factor = min(1.0, work_px / max(height, width, 1))
     if min(height, width) * factor < SMALLEST_PX:
         raise SkylineNotFoundError(f"The picture is only {width} x {height} pixels.")
-    return imaging.shrink(pixels[..., :3], max(1, round(width * factor)), max(1, round(height * factor)))
+    return imaging.shrink_to(pixels[..., :3], work_px)
 
 
 def _cut_ridges_apart(probability):

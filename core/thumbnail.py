@@ -32,5 +32,4 @@ def thumbnail(pixels, crop=(0, 0, 0, 0)):
         inside = slice(top, height - bottom), slice(left, width - right)
         shown[inside] = pixels[inside]
         pixels = shown
-    factor = min(1.0, THUMBNAIL_PX / max(height, width))
-    return imaging.shrink(pixels[..., :3], max(1, round(width * factor)), max(1, round(height * factor)))
+    return imaging.shrink_to(pixels[..., :3], THUMBNAIL_PX)

@@ -101,6 +101,14 @@ def test_a_large_picture_is_shrunk_in_strips_to_the_same_result(monkeypatch):
     np.testing.assert_allclose(imaging.shrink(image, 97, 131), whole, atol=2e-3)
 
 
+@pytest.mark.parametrize(
+    "size, long_side_px, shrunk",
+    [((30, 40), 20, (15, 20)), ((40, 30), 20, (20, 15)), ((3, 200), 20, (1, 20)), ((30, 40), 80, (30, 40))],
+)
+def test_shrinking_to_a_long_side_keeps_the_shape(size, long_side_px, shrunk):
+    assert imaging.shrink_to(np.ones((*size, 3), np.uint8), long_side_px).shape == (*shrunk, 3)
+
+
 def test_shrinking_refuses_to_enlarge():
     """Enlarging is no averaging."""
     with pytest.raises(ValueError, match="cannot shrink"):
