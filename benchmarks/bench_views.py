@@ -87,7 +87,6 @@ def measure(folder, given):
     for line in read_truth(folder):
         if line["group"] != "good":
             continue
-        generator = np.random.default_rng([given.seed, *line["photo"].encode()])
         base = orient_request(request_of(folder, line), dem, options, cache)
         if base.orientation.best is None:
             print(f"{line['photo']}: has no pose to start from", flush=True)
@@ -96,9 +95,11 @@ def measure(folder, given):
         photo = read_photo(str(Path(folder) / "photos" / line["photo"]), SOURCE_PX)
         inner = inner_terrain(dem, observer, options.inner)
         for number in range(given.count):
+            # Each view of its own, so that a base pose of some hundredths of a degree more or less changes few of them.
+            generator = np.random.default_rng([given.seed, number, *line["photo"].encode()])
             drawn = draw_view(base, generator)
             if drawn is None:
-                break
+                continue
             camera, pose = drawn
             pixels = spoil(view_of(photo.pixels, base, camera, pose), generator)
             heading = float(wrap_360(line["heading_deg"] + pose.heading_deg - base.orientation.best.pose.heading_deg))
