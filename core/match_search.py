@@ -121,7 +121,8 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     count = int(round(360 / step))
     heading = np.arange(count) * step
     elevation = curve.elevation_at(heading)
-    drawn = fft.rfft(_drawn_line(elevation, step, curve.known[curve.nearest(heading)]), axis=1)
+    line = _drawn_line(elevation, step, curve.known[curve.nearest(heading)])
+    drawn, held = fft.rfft(line, axis=1), _rows_held(line)
     evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
     # One more row, which stands for all that is above the picture.
     evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
@@ -132,7 +133,7 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     for index, pitch in enumerate(pitches):
         checkpoint(progress, index / len(pitches))
         for roll in rolls:
-            scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, step, options.pitch_step_deg)
+            scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, held, step, options.pitch_step_deg)
             winner = scores.argmax(axis=0)
             top = scores[winner, np.arange(count)]
             better = top > best
@@ -174,6 +175,12 @@ def _drawn_line(elevation_deg, step, known):
     return line
 
 
+def _rows_held(line):
+    """First and last row that holds any of the horizon; the others have nothing to be correlated with."""
+    rows = np.flatnonzero(line.any(axis=1))
+    return (int(rows[0]), int(rows[-1])) if len(rows) else (0, 0)
+
+
 def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
     """Pitches that bring the rows with evidence onto elevations that the horizon has."""
     mass = probability.sum(axis=1)
@@ -188,7 +195,7 @@ def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
     return np.clip(low + (np.arange(count) + 0.5) * (high - low) / count, -60.0, 60.0)
 
 
-def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_deg):
+def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, held, step, pitch_step_deg):
     """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
 
     The first row of `evidence` stands for all that is above the picture.
@@ -200,8 +207,13 @@ def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_de
     rows, count = drawn.shape[0], (drawn.shape[1] - 1) * 2
     half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
     low = ELEVATION_RANGE_DEG[0]
-    first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), 0)
-    last = min(int(np.ceil((pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), rows - 1)
+    half = int(np.ceil(pitch_step_deg / 2 / step))
+    shifts = np.arange(-half, half + 1)
+    first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), held[0] - half)
+    last = min(int(np.ceil((pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), held[1] + half)
+    first, last = max(first, 0), min(last, rows - 1)
+    if first > last:
+        return np.zeros((len(shifts), count), np.float32), shifts
     elevation = low + np.arange(first, last + 1) * step
     x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
     y = np.maximum(y + EDGE_ROW, -1) + 1
@@ -211,8 +223,6 @@ def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, step, pitch_step_de
     raster = np.zeros((len(elevation), count), np.float32)
     raster[:, np.arange(-reach, reach + 1) % count] = seen
     spectrum = np.conj(fft.rfft(raster, axis=1))
-    half = int(np.ceil(pitch_step_deg / 2 / step))
-    shifts = np.arange(-half, half + 1)
     product = np.zeros((len(shifts), spectrum.shape[1]), np.complex64)
     for index, shift in enumerate(shifts):
         start, stop = max(first + shift, 0), min(last + 1 + shift, rows)

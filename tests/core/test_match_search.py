@@ -1,3 +1,4 @@
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -56,6 +57,15 @@ def test_the_truth_of_a_nearly_level_horizon_is_among_its_candidates():
     scene = _picture_of(azimuth, np.interp(azimuth, np.arange(360), knots, period=360), 14.0, Pose(26.7, -1.3, -2.9))
     found = _candidates(*scene, SearchOptions().for_picture(14.0, 0.06))
     assert np.abs(found[:10, 0] - 26.7).min() < 0.3
+
+
+def test_rows_without_any_horizon_may_be_left_out(match_scenes, monkeypatch):
+    scene = match_scenes.scene(4, 97.3, pitch_deg=6.0, roll_deg=2.0, hfov_deg=40.0)
+    short = search(scene)
+    monkeypatch.setattr(sys.modules[coarse_search.__module__], "_rows_held", lambda line: (0, len(line) - 1))
+    whole = search(scene)
+    assert np.array_equal(short.score, whole.score)
+    assert np.array_equal(short.candidates, whole.candidates)
 
 
 @pytest.mark.parametrize("hfov_deg", [4.0, 20.0, 45.0, 75.0])
