@@ -26,7 +26,8 @@ class Finding:
     residual_px : float
         Median distance of the likeliest rows from the best answer's horizon [pixels of the reduced picture].
     terrain_px : float
-        Median tolerance that the DEM's error asks for at the best answer [pixels of the reduced picture].
+        Median tolerance that the DEM's and the position's errors ask for at the best answer [pixels of the reduced
+        picture].
     sureness : float
         Mean over the columns of the probability near each column's likeliest row: how decided the evidence is.
     hfov_deg : float

@@ -40,7 +40,7 @@ class RefineOptions:
     pixel_error_px : float
         Error of the evidence itself [pixels of the reduced picture].
     error_scales : tuple of float
-        Multiples of s among which each candidate takes its best.
+        k above: among these each candidate takes its best.
     effective_columns : float
         Number of independent column groups: 1 / L.
     roll_sigma_deg, k1_sigma : float
@@ -60,6 +60,8 @@ class RefineOptions:
     def __post_init__(self):
         if not (self.terrain_error_cells > 0 and self.pixel_error_px > 0 and self.effective_columns > 0):
             raise ValueError("errors and the number of effective columns must be positive")
+        if not self.ground_slope >= 0:
+            raise ValueError(f"the ground's slope must be 0 or more, not {self.ground_slope}")
 
 
 class Objective:

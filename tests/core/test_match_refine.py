@@ -73,5 +73,11 @@ def test_no_fit_is_finer_than_the_eyes_place_allows(match_scenes, scale):
     assert uncertain.min() >= 10 / 800 * moved.camera.focal_px
 
 
+@pytest.mark.parametrize("wrong", [{"ground_slope": -0.1}, {"ground_slope": float("nan")}, {"pixel_error_px": 0.0}])
+def test_weights_that_make_no_sense_are_refused(wrong):
+    with pytest.raises(ValueError):
+        RefineOptions(**wrong)
+
+
 def test_distinct_answers_are_counted_across_north():
     assert distinct(np.array([359.5, 0.4, 10.0]), np.array([1.0, 2.0, 0.5]), 1.5) == [1, 2]
