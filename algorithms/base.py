@@ -13,12 +13,12 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ..core.errors import Cancelled, SkylineViewshedError
-from .core_sentences import in_users_language
-from .elevation import dem_fault, dem_source
-from .i18n import tr
-from .reporting import facts_of, software
-from .styling import tell_provenance
+from ..core.base.errors import Cancelled, SkylineViewshedError
+from .shared.core_sentences import in_users_language
+from .shared.elevation import dem_fault, dem_source
+from .shared.i18n import tr
+from .shared.reporting import facts_of, software
+from .shared.styling import tell_provenance
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = "https://github.com/skyline-viewshed/skyline_viewshed/blob/main/docs/algorithms.md"

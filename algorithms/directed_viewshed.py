@@ -6,17 +6,17 @@ from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .elevation import dem_fault
-from .i18n import tr
-from .layers import number_column, points_fault, read_points
-from .result_figures import ResultFigures, figures_out, stations_of
-from .skyline_limits import add_table_parameters, table_fault, with_table
-from .viewer import Viewer
-from .viewshed_extras import Extras, add_extra_parameters, extra_options
-from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
+from .shared import parameters as shared
+from .shared.elevation import dem_fault
+from .shared.i18n import tr
+from .shared.layers import number_column, points_fault, read_points
+from .shared.result_figures import ResultFigures, figures_out, stations_of
+from .shared.skyline_limits import add_table_parameters, table_fault, with_table
+from .shared.viewer import Viewer
+from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
+from .shared.viewshed_outputs import ViewshedOutputs
+from .shared.visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
 POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
 NUMBER_FIELDS = (*POSE_FIELDS, "HEIGHT_FIELD", "HEADING_LO_FIELD", "HEADING_HI_FIELD")
@@ -67,7 +67,7 @@ class DirectedViewshed(DemAlgorithm):
 
     def initAlgorithm(self, config=None):
         """Declare parameters and outputs."""
-        from ..core.viewshed import ViewshedOptions
+        from ..core.viewshed.viewshed import ViewshedOptions
 
         defaults = ViewshedOptions()
         points = shared.photo_source()

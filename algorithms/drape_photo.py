@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessingOutputNumber
 
-from ..core.errors import PhotoError
-from ..core.progress import subtask
-from . import parameters as shared
+from ..core.base.errors import PhotoError
+from ..core.base.progress import subtask
 from .base import DemAlgorithm
-from .draped_raster import write_draped
-from .feedback import warn
-from .i18n import tr
-from .styling import style_on_completion
-from .views import add_view_parameters, open_views
+from .shared import parameters as shared
+from .shared.draped_raster import write_draped
+from .shared.feedback import warn
+from .shared.i18n import tr
+from .shared.styling import style_on_completion
+from .shared.views import add_view_parameters, open_views
 
 
 class DrapePhoto(DemAlgorithm):
@@ -86,9 +86,9 @@ class DrapePhoto(DemAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """Drape photo by photo, then write."""
-        from ..core.drape import Mosaic
-        from ..core.terrain import Window
-        from ..core.viewshed import ViewshedOptions
+        from ..core.base.terrain import Window
+        from ..core.mapping.drape import Mosaic
+        from ..core.viewshed.viewshed import ViewshedOptions
 
         terrain = self.dem.open()
         options = ViewshedOptions(
@@ -117,10 +117,9 @@ class DrapePhoto(DemAlgorithm):
 
 def drape(mosaic, photo, options):
     """Add one photo; gives its number of cells."""
-    from ..core.drape import drape_photo
     from ..core.io.photo import read_photo
-    from ..core.picture_pyramid import build_picture_pyramid
-    from ..core.viewshed import PhotoFrame, viewshed
+    from ..core.mapping.drape import build_picture_pyramid, drape_photo
+    from ..core.viewshed.viewshed import PhotoFrame, viewshed
 
     if not photo.path:
         raise PhotoError(tr("The point names no photo."))

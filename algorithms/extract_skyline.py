@@ -6,17 +6,17 @@ from pathlib import Path
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
 
-from ..core.errors import MissingPackageError, PhotoError
-from ..core.model import Orientation, OrientedPhoto
-from ..core.progress import checkpoint
-from . import parameters as shared
+from ..core.base.errors import MissingPackageError, PhotoError
+from ..core.base.model import Orientation, OrientedPhoto
+from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
-from .feedback import FeedbackProgress, announce, warn
-from .fields import FieldSpec, qgis_fields
-from .i18n import marked, tr
-from .layers import read_points
-from .outputs import write_features, write_whole
-from .styling import style_on_completion
+from .shared import parameters as shared
+from .shared.feedback import FeedbackProgress, announce, warn
+from .shared.fields import FieldSpec, qgis_fields
+from .shared.i18n import marked, tr
+from .shared.layers import read_points
+from .shared.outputs import write_features, write_whole
+from .shared.styling import style_on_completion
 
 PREVIEW_PX = 1600
 
@@ -118,9 +118,9 @@ class ExtractSkyline(SkylineAlgorithm):
 def extract(path, method):
     """Extract one skyline; the answer is an `OrientedPhoto` without orientation, which overlays can draw."""
     from ..core.io.photo import read_photo
+    from ..core.paper.skyline import extract_skyline_paper
     from ..core.pipeline import OrientOptions
-    from ..core.skyline_evidence import skyline_evidence
-    from ..core.skyline_paper import extract_skyline_paper
+    from ..core.skyline.evidence import skyline_evidence
 
     if path is None:
         raise PhotoError(tr("The point names no photo. Fill its path field."))
@@ -136,7 +136,7 @@ def extract(path, method):
 
 def pixels_of(found):
     """[column, row, confidence] per column, in pixels of the full upright picture."""
-    from ..core.figures_lines import skyline_line
+    from ..core.base.overlay_lines import skyline_line
 
     skyline = found.skyline
     line = skyline_line(skyline, found.metadata.width_px, found.metadata.height_px)
@@ -145,8 +145,8 @@ def pixels_of(found):
 
 def write_overlay(found, folder):
     """Draw the skyline over the picture: a PNG named like the photo."""
-    from ..core.draw_raster import encode_png
-    from ..core.figures_overlay import overlay_image
+    from ..core.figures.overlay import overlay_image
+    from ..core.figures.raster import encode_png
 
     target = Path(folder) / f"{Path(found.path).stem}.png"
     write_whole(target, encode_png(overlay_image(found, PREVIEW_PX, say=marked)))

@@ -11,20 +11,20 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.errors import PhotoError
-from ..core.horizon import HorizonOptions
-from ..core.progress import checkpoint, subtask
-from . import parameters as shared
+from ..core.base.errors import PhotoError
+from ..core.base.progress import checkpoint, subtask
+from ..core.horizon.horizon import HorizonOptions
 from .base import DemAlgorithm
-from .elevation import dem_fault, dem_source
-from .feedback import FeedbackProgress, announce, warn
-from .fields import FieldSpec, qgis_fields
-from .horizon_report import HorizonReport
-from .i18n import tr
-from .layers import read_points
-from .outputs import write_features
-from .sky_view_output import add_sky_view_parameters, sky_view_fault, write_sky_view
-from .styling import style_on_completion
+from .shared import parameters as shared
+from .shared.elevation import dem_fault, dem_source
+from .shared.feedback import FeedbackProgress, announce, warn
+from .shared.fields import FieldSpec, qgis_fields
+from .shared.horizon_report import HorizonReport
+from .shared.i18n import tr
+from .shared.layers import read_points
+from .shared.outputs import write_features
+from .shared.sky_view_output import add_sky_view_parameters, sky_view_fault, write_sky_view
+from .shared.styling import style_on_completion
 
 PROFILES_PART = 0.4
 """Of the progress bar, where a raster of sky view factors follows."""
@@ -139,8 +139,8 @@ class HorizonProfile(DemAlgorithm):
 
 def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
     """Yield (row, profile) for each point that the DEM covers; the others are warned of. Progress goes to `end`."""
-    from ..core.horizon import horizon_profile
-    from ..core.terrain import Observer
+    from ..core.base.terrain import Observer
+    from ..core.horizon.horizon import horizon_profile
 
     progress = FeedbackProgress(feedback)
     for index, row in enumerate(rows):
@@ -159,7 +159,7 @@ def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
 
 def sky_view(profile):
     """Sky view factor of a flat place with this horizon."""
-    from ..core.sky_view import sky_view_factor
+    from ..core.horizon.sky_view import sky_view_factor
 
     return float(sky_view_factor(profile))
 

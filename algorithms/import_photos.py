@@ -12,17 +12,17 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.errors import PhotoError
-from ..core.progress import checkpoint
-from . import fields
-from . import parameters as shared
+from ..core.base.errors import PhotoError
+from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
-from .core_sentences import in_users_language
-from .feedback import FeedbackProgress, announce
-from .i18n import tr
-from .outputs import write_features
-from .photo_attributes import attributes_of, has_position, photos_in, point_of
-from .styling import style_on_completion
+from .shared import fields
+from .shared import parameters as shared
+from .shared.core_sentences import in_users_language
+from .shared.feedback import FeedbackProgress, announce
+from .shared.i18n import tr
+from .shared.outputs import write_features
+from .shared.photo_attributes import attributes_of, has_position, photos_in, point_of
+from .shared.styling import style_on_completion
 
 
 class ImportPhotos(SkylineAlgorithm):

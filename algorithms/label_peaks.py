@@ -10,16 +10,16 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .fields import FieldSpec, qgis_fields
-from .i18n import tr
-from .map_places import map_of_local, number
-from .outputs import write_features
-from .picture_files import PictureFolder
-from .styling import style_on_completion
-from .summit_input import Summitry, add_summit_parameters
-from .views import add_view_parameters, open_views, sight_options
+from .shared import parameters as shared
+from .shared.fields import FieldSpec, qgis_fields
+from .shared.i18n import tr
+from .shared.map_places import map_of_local, number
+from .shared.outputs import write_features
+from .shared.picture_files import PictureFolder
+from .shared.styling import style_on_completion
+from .shared.summit_input import Summitry, add_summit_parameters
+from .shared.views import add_view_parameters, open_views, sight_options
 
 
 class LabelPeaks(DemAlgorithm):

@@ -12,15 +12,15 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .fields import qgis_fields
-from .i18n import tr
-from .image_features import ImageFeatures, line_specs, point_specs
-from .outputs import write_features
-from .picture_files import PictureFolder
-from .styling import style_on_completion
-from .views import add_view_parameters, open_views, sight_options
+from .shared import parameters as shared
+from .shared.fields import qgis_fields
+from .shared.i18n import tr
+from .shared.image_features import ImageFeatures, line_specs, point_specs
+from .shared.outputs import write_features
+from .shared.picture_files import PictureFolder
+from .shared.styling import style_on_completion
+from .shared.views import add_view_parameters, open_views, sight_options
 
 
 class MapToPixel(DemAlgorithm):

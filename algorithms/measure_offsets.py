@@ -14,16 +14,16 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.camera import paper_fov_deg
-from ..core.errors import MissingMetadataError
-from ..core.progress import checkpoint
-from . import parameters as shared
+from ..core.base.camera import paper_fov_deg
+from ..core.base.errors import MissingMetadataError
+from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
-from .feedback import FeedbackProgress
-from .fields import FieldSpec, is_null, number_or_none, qgis_fields
-from .i18n import tr
-from .outputs import write_features
-from .styling import style_on_completion
+from .shared import parameters as shared
+from .shared.feedback import FeedbackProgress
+from .shared.fields import FieldSpec, is_null, number_or_none, qgis_fields
+from .shared.i18n import tr
+from .shared.outputs import write_features
+from .shared.styling import style_on_completion
 
 COLUMNS = {
     "PHOTO_FIELD": ("photo", "image", "filename", "name"),
@@ -117,7 +117,7 @@ class MeasureOffsets(SkylineAlgorithm):
         """Read the pairs, apply eq. 10, write the means."""
         import numpy as np
 
-        from ..core.offsets import angular_offsets, offset_table
+        from ..core.paper.offsets import angular_offsets, offset_table
 
         names, pairs, frames = self._pairs(parameters, context, FeedbackProgress(feedback))
         pairs = np.array(pairs, float)

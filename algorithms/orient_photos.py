@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessingOutputNumber
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .elevation import dem_fault
-from .i18n import tr
-from .kept_orientations import orientations_out
-from .layers import points_fault, read_points
-from .orientation import (
+from .shared import parameters as shared
+from .shared.elevation import dem_fault
+from .shared.i18n import tr
+from .shared.kept_orientations import orientations_out
+from .shared.layers import points_fault, read_points
+from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
     add_field_parameters,
@@ -23,11 +23,11 @@ from .orientation import (
     requests_of,
     summary,
 )
-from .oriented import oriented_specs
-from .outputs import write_features
-from .reporting import PhotoReport
-from .rescue import add_rescue_parameters
-from .styling import style_on_completion
+from .shared.oriented import oriented_specs
+from .shared.outputs import write_features
+from .shared.reporting import PhotoReport
+from .shared.rescue import add_rescue_parameters
+from .shared.styling import style_on_completion
 
 
 class OrientPhotos(DemAlgorithm):

@@ -11,20 +11,20 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.errors import PhotoError
-from ..core.panorama import PanoramaOptions
-from ..core.progress import subtask
-from . import parameters as shared
+from ..core.base.errors import PhotoError
+from ..core.base.progress import subtask
+from ..core.horizon.panorama import PanoramaOptions
 from .base import DemAlgorithm
-from .feedback import FeedbackProgress, announce, warn
-from .fields import FieldSpec, is_null, qgis_fields
-from .i18n import tr
-from .layers import read_points
-from .map_places import map_of_local
-from .outputs import write_features
-from .panorama_files import PanoramaFolder
-from .styling import style_on_completion
-from .summit_input import Summitry, add_summit_parameters
+from .shared import parameters as shared
+from .shared.feedback import FeedbackProgress, announce, warn
+from .shared.fields import FieldSpec, is_null, qgis_fields
+from .shared.i18n import tr
+from .shared.layers import read_points
+from .shared.map_places import map_of_local
+from .shared.outputs import write_features
+from .shared.panorama_files import PanoramaFolder
+from .shared.styling import style_on_completion
+from .shared.summit_input import Summitry, add_summit_parameters
 
 
 class Panorama(DemAlgorithm):
@@ -92,8 +92,8 @@ class Panorama(DemAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """Draw point by point, then write the ridges."""
-        from ..core.panorama import outline_panorama
-        from ..core.terrain import Observer
+        from ..core.base.terrain import Observer
+        from ..core.horizon.panorama import outline_panorama
 
         _, rows = read_points(self, parameters, context)
         terrain = self.dem.open()

@@ -12,16 +12,16 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.errors import PhotoError
-from . import parameters as shared
+from ..core.base.errors import PhotoError
 from .base import DemAlgorithm
-from .coverage_outputs import area_mask, coverage_specs, coverage_window, table_rows, write_coverage
-from .feedback import warn
-from .fields import is_null, qgis_fields
-from .i18n import tr
-from .outputs import write_features
-from .styling import style_on_completion
-from .views import add_view_parameters, open_views
+from .shared import parameters as shared
+from .shared.coverage_outputs import area_mask, coverage_specs, coverage_window, table_rows, write_coverage
+from .shared.feedback import warn
+from .shared.fields import is_null, qgis_fields
+from .shared.i18n import tr
+from .shared.outputs import write_features
+from .shared.styling import style_on_completion
+from .shared.views import add_view_parameters, open_views
 
 
 class PhotoCoverage(DemAlgorithm):
@@ -107,7 +107,7 @@ class PhotoCoverage(DemAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """See photo by photo, choose, then write."""
-        from ..core.coverage import Coverage
+        from ..core.mapping.coverage import Coverage
 
         terrain = self.dem.open()
         reach = self.parameterAsDouble(parameters, "MAX_DISTANCE", context)
@@ -136,9 +136,9 @@ class PhotoCoverage(DemAlgorithm):
 
     def _see(self, photos, terrain, coverage, parameters, context, feedback):
         """Add every photo's viewshed; gives the cells that each sees."""
-        from ..core.progress import subtask
-        from ..core.viewshed import PhotoFrame, ViewshedOptions, viewshed
-        from .feedback import FeedbackProgress
+        from ..core.base.progress import subtask
+        from ..core.viewshed.viewshed import PhotoFrame, ViewshedOptions, viewshed
+        from .shared.feedback import FeedbackProgress
 
         options = ViewshedOptions(
             max_distance_m=self.parameterAsDouble(parameters, "MAX_DISTANCE", context),
@@ -161,7 +161,7 @@ class PhotoCoverage(DemAlgorithm):
         """Polygons of the area in the DEM's CRS; None for no area."""
         if is_null(parameters.get("AREA")):
             return None
-        from .map_places import to_dem_transform, transformed
+        from .shared.map_places import to_dem_transform, transformed
 
         source = self.parameterAsSource(parameters, "AREA", context)
         if source is None:

@@ -6,16 +6,16 @@ from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsProcessingParameterBoolean
 
-from ..core.progress import subtask
-from . import parameters as shared
+from ..core.base.progress import subtask
 from .base import DemAlgorithm
-from .elevation import dem_fault
-from .feedback import FeedbackProgress
-from .fields import is_null, photo_specs
-from .folder_photos import folder_fault, photo_rows
-from .i18n import tr
-from .kept_orientations import orientations_out
-from .orientation import (
+from .shared import parameters as shared
+from .shared.elevation import dem_fault
+from .shared.feedback import FeedbackProgress
+from .shared.fields import is_null, photo_specs
+from .shared.folder_photos import folder_fault, photo_rows
+from .shared.i18n import tr
+from .shared.kept_orientations import orientations_out
+from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
     options_of,
@@ -25,17 +25,17 @@ from .orientation import (
     requests_of,
     summary,
 )
-from .oriented import oriented_specs
-from .outputs import write_features
-from .reporting import PhotoReport
-from .rescue import add_rescue_parameters
-from .result_figures import ResultFigures, figures_out, stations_of
-from .skyline_limits import add_own_parameters, with_own
-from .styling import style_on_completion
-from .viewer import Viewer
-from .viewshed_extras import Extras, add_extra_parameters, extra_options
-from .viewshed_outputs import ViewshedOutputs
-from .visibility import Sight, add_range_parameters, range_fault, viewshed_options
+from .shared.oriented import oriented_specs
+from .shared.outputs import write_features
+from .shared.reporting import PhotoReport
+from .shared.rescue import add_rescue_parameters
+from .shared.result_figures import ResultFigures, figures_out, stations_of
+from .shared.skyline_limits import add_own_parameters, with_own
+from .shared.styling import style_on_completion
+from .shared.viewer import Viewer
+from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
+from .shared.viewshed_outputs import ViewshedOutputs
+from .shared.visibility import Sight, add_range_parameters, range_fault, viewshed_options
 
 SHARE = (0.0, 0.95)
 ORIENTATION_PART = 0.8
@@ -77,8 +77,8 @@ class PhotoViewshed(DemAlgorithm):
 
     def initAlgorithm(self, config=None):
         """Declare parameters and outputs."""
-        from ..core.horizon import HorizonOptions
-        from ..core.viewshed import ViewshedOptions
+        from ..core.horizon.horizon import HorizonOptions
+        from ..core.viewshed.viewshed import ViewshedOptions
 
         self.addParameter(
             shared.folder_in(

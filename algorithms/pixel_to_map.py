@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .elevation import dem_fault
-from .fields import qgis_fields
-from .i18n import tr
-from .monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_specs
-from .outputs import write_features
-from .pixel_input import add_pixel_parameters, pixel_fault, pixel_features
-from .styling import style_on_completion
-from .views import add_uncertainty_parameters, add_view_parameters, open_views, sight_options, uncertainty_of
+from .shared import parameters as shared
+from .shared.elevation import dem_fault
+from .shared.fields import qgis_fields
+from .shared.i18n import tr
+from .shared.monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_specs
+from .shared.outputs import write_features
+from .shared.pixel_input import add_pixel_parameters, pixel_fault, pixel_features
+from .shared.styling import style_on_completion
+from .shared.views import add_uncertainty_parameters, add_view_parameters, open_views, sight_options, uncertainty_of
 
 
 class PixelToMap(DemAlgorithm):

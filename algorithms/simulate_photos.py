@@ -7,16 +7,16 @@ from pathlib import Path
 
 from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum
 
-from ..core.camera import Camera, Pose, focal_of_fov_px
-from ..core.errors import PhotoError
-from ..core.progress import subtask
-from . import parameters as shared
+from ..core.base.camera import Camera, Pose, focal_of_fov_px
+from ..core.base.errors import PhotoError
+from ..core.base.progress import subtask
 from .base import DemAlgorithm
-from .feedback import FeedbackProgress, announce, warn
-from .fields import is_null
-from .i18n import tr
-from .layers import read_points
-from .outputs import make_folder_of, unused
+from .shared import parameters as shared
+from .shared.feedback import FeedbackProgress, announce, warn
+from .shared.fields import is_null
+from .shared.i18n import tr
+from .shared.layers import read_points
+from .shared.outputs import make_folder_of, unused
 
 POSE_FIELDS = ("HEADING_FIELD", "PITCH_FIELD", "ROLL_FIELD", "HFOV_FIELD", "HEIGHT_FIELD")
 FORMATS = ("jpg", "heic")
@@ -122,7 +122,7 @@ def pose_parameters():
 
 def scene_parameters():
     """Options of the scene; defaults are the core's."""
-    from ..core.render_scene import CLOUDS, FOREGROUNDS, SceneOptions
+    from ..core.simulate.scene import CLOUDS, FOREGROUNDS, SceneOptions
 
     scene = SceneOptions()
     clouds = QgsProcessingParameterEnum(
@@ -172,7 +172,7 @@ def scene_parameters():
 
 def scene_of(algorithm, parameters, context):
     """Scene options of the core from the parameters."""
-    from ..core.render_scene import CLOUDS, FOREGROUNDS, SceneOptions
+    from ..core.simulate.scene import CLOUDS, FOREGROUNDS, SceneOptions
 
     def number(name):
         return algorithm.parameterAsDouble(parameters, name, context)
@@ -198,10 +198,10 @@ def scene_of(algorithm, parameters, context):
 
 def simulate(dem, row, size, eye_height_m, scene, path, progress):
     """Render one photo and write it."""
+    from ..core.base.model import PhotoMetadata
+    from ..core.base.terrain import Observer
     from ..core.io.write_photo import write_photo
-    from ..core.model import PhotoMetadata
-    from ..core.render import render_view
-    from ..core.terrain import Observer
+    from ..core.simulate.render import render_view
 
     width, height = size
     focal_px = focal_of_fov_px(width, row.numbers["HFOV_FIELD"] or DEFAULT_HFOV_DEG)

@@ -12,14 +12,14 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from . import parameters as shared
 from .base import DemAlgorithm
-from .fields import FieldSpec, is_null, qgis_fields
-from .i18n import tr
-from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
-from .outputs import write_features
-from .styling import style_on_completion
-from .views import add_view_parameters, open_views, sight_options
+from .shared import parameters as shared
+from .shared.fields import FieldSpec, is_null, qgis_fields
+from .shared.i18n import tr
+from .shared.map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+from .shared.outputs import write_features
+from .shared.styling import style_on_completion
+from .shared.views import add_view_parameters, open_views, sight_options
 
 NET_CELLS = 1.0
 """Areas are asked in a net of this many DEM cells."""
@@ -93,7 +93,7 @@ class WhichPhotos(DemAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """Ask photo by photo, rank, then write."""
-        from ..core.photo_index import find_sightings
+        from ..core.mapping.sightings import find_sightings
 
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
         places = self._places(parameters, context)
@@ -136,7 +136,7 @@ def samples_of(terrain, frame, geometry):
     """Local places at which a place is asked: its points, its line in steps of a cell, a net over its area."""
     import numpy as np
 
-    from ..core.projecting import sample_area
+    from ..core.mapping.projecting import sample_area
 
     kind = kind_of(geometry)
     if kind == "line":

@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from skyline_viewshed.core.angles import difference
+from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, orient_request
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.pipeline import OrientOptions

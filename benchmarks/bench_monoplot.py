@@ -23,16 +23,16 @@ from pathlib import Path
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
-from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px
-from skyline_viewshed.core.monoplot import ground_ellipses, place_pixels
-from skyline_viewshed.core.mountains import MountainOptions, make_mountains
-from skyline_viewshed.core.pose_covariance import PoseUncertainty
-from skyline_viewshed.core.projecting import project_places
-from skyline_viewshed.core.render import render_view
-from skyline_viewshed.core.render_viewpoint import ViewpointOptions, find_view
-from skyline_viewshed.core.sightline import SightOptions
-from skyline_viewshed.core.terrain import ArrayTerrain, Observer
-from skyline_viewshed.core.view import open_view
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.base.uncertainty import PoseUncertainty
+from skyline_viewshed.core.base.view import open_view
+from skyline_viewshed.core.mapping.monoplot import ground_ellipses, place_pixels
+from skyline_viewshed.core.mapping.projecting import project_places
+from skyline_viewshed.core.mapping.sightline import SightOptions
+from skyline_viewshed.core.simulate.render import render_view
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
+from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 
 RANGE_M = 12_000.0
 DISTANCES_M = (0, 500, 1000, 2000, 4000, 8000, 12_000)

@@ -21,7 +21,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
-from skyline_viewshed.core.angles import difference
+from skyline_viewshed.core.base.angles import difference
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from simulated_cases import LEVELS, dem_of, dem_paths, draw_case, take, truth_row  # noqa: E402

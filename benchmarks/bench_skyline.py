@@ -16,9 +16,9 @@ from pathlib import Path
 
 import numpy as np
 from PIL import Image
-from skyline_viewshed.core.errors import SkylineNotFoundError
-from skyline_viewshed.core.skyline_evidence import EvidenceOptions, skyline_evidence
-from skyline_viewshed.core.skyline_paper import extract_skyline_paper
+from skyline_viewshed.core.base.errors import SkylineNotFoundError
+from skyline_viewshed.core.paper.skyline import extract_skyline_paper
+from skyline_viewshed.core.skyline.evidence import EvidenceOptions, skyline_evidence
 
 ROOT = Path(__file__).resolve().parent.parent
 METHODS = ("robust", "paper")

@@ -19,11 +19,11 @@ import exact_viewshed as exact
 import make_dems
 import numpy as np
 from osgeo import gdal
-from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
+from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.crs import to_wgs84
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import ArrayTerrain, Observer, Window
-from skyline_viewshed.core.viewshed import ViewshedOptions, viewshed
+from skyline_viewshed.core.viewshed.viewshed import ViewshedOptions, viewshed
 from speed_peers import Grass, NewerGdal, PeerMissingError, engine, gdal_viewshed
 
 ROOT = Path(__file__).resolve().parent.parent

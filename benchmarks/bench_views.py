@@ -6,7 +6,7 @@ drawn at random: fields of view from a third of the photograph's, rolls to 8 deg
 that leave the frame, other exposure, veil, grain and JPEG, and a focal length that is off by 1.5 %. Real skies, snow
 and rock under new poses: harder than the photographs, and nearer to them than simulated ones. Views of one photograph
 are not independent of each other, and their truth is that of the photograph's own fit, moved to its known heading.
-With COMPASS=prior each view gets a compass with the spread and the faults that `core.compass` believes in. Writes
+With COMPASS=prior each view gets a compass with the spread and the faults that `core.match.prior` believes in. Writes
 `build/views.json`.
 """
 
@@ -21,15 +21,15 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from skyline_viewshed.core.angles import difference, wrap_360
+from skyline_viewshed.core.base.angles import difference, wrap_360
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, project, unproject
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.batch import HorizonCache, orient_request
-from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px, project, unproject
-from skyline_viewshed.core.compass import CompassOptions, compass_prior
-from skyline_viewshed.core.inner_terrain import inner_terrain
+from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.match.prior import CompassOptions, compass_prior
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
-from skyline_viewshed.core.terrain import Observer
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bench_accuracy import dem_of, read_truth, request_of  # noqa: E402

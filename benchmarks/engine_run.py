@@ -7,16 +7,19 @@ from __future__ import annotations
 
 import sys
 
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.crs import to_wgs84
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Observer
 
 REFRACTION = 1.0 / 7.0
 
 
 def horizon(dem, observer, radius_m, output):
     """The horizon as a table."""
-    from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile  # each task imports its own, as in QGIS
+    from skyline_viewshed.core.horizon.horizon import (  # each task imports its own, as in QGIS
+        HorizonOptions,
+        horizon_profile,
+    )
 
     options = HorizonOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
     profile = horizon_profile(dem, observer, options)
@@ -30,7 +33,13 @@ def horizon(dem, observer, radius_m, output):
 def ground(dem, observer, radius_m, output, wedge, packed):
     """The viewshed as a raster; packed: more cells than fit into the memory cap as bytes, not written."""
     from skyline_viewshed.core.io.write_raster import write_raster
-    from skyline_viewshed.core.viewshed import FullCircle, PackedSink, ViewshedOptions, Wedge, viewshed
+    from skyline_viewshed.core.viewshed.viewshed import (
+        FullCircle,
+        PackedSink,
+        ViewshedOptions,
+        Wedge,
+        viewshed,
+    )
 
     sector = FullCircle()
     if wedge:

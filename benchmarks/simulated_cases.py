@@ -13,17 +13,17 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from skyline_viewshed.core.camera import DIAGONAL_35MM, Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.camera import DIAGONAL_35MM, Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.model import PhotoMetadata
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
 from skyline_viewshed.core.io.write_raster import write_dem
-from skyline_viewshed.core.model import PhotoMetadata
-from skyline_viewshed.core.mountains import MountainOptions, make_mountains
-from skyline_viewshed.core.render import RenderedView, render_view
-from skyline_viewshed.core.render_detail import DetailedTerrain
-from skyline_viewshed.core.render_scene import SceneOptions, clean_scene, hard_scene
-from skyline_viewshed.core.render_viewpoint import ViewpointOptions, find_view
-from skyline_viewshed.core.terrain import Observer
+from skyline_viewshed.core.simulate.render import RenderedView, render_view
+from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene, hard_scene
+from skyline_viewshed.demo.detail import DetailedTerrain
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
+from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 
 ROOT = Path(__file__).resolve().parent.parent
 SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2}

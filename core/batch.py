@@ -11,21 +11,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from . import imaging
-from .camera import FOCAL_SIGMA
-from .compass import compass_prior, true_heading_deg
-from .curvature import apparent_drop_m
-from .declination import declination_deg
-from .errors import MissingMetadataError, MissingPackageError, PhotoError
-from .inner_terrain import inner_terrain
+from .base import imaging
+from .base.camera import FOCAL_SIGMA
+from .base.curvature import apparent_drop_m
+from .base.declination import declination_deg
+from .base.errors import MissingMetadataError, MissingPackageError, PhotoError
+from .base.model import Orientation, OrientedPhoto
+from .base.progress import SILENT, subtask
+from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
+from .horizon.inner import inner_terrain
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
-from .model import Orientation, OrientedPhoto
+from .match.prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, Landmark, compass_prior, true_heading_deg
 from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
-from .prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, Landmark
-from .progress import SILENT, subtask
-from .skyline_given import evidence_from_line, evidence_from_mask
-from .terrain import Observer, eye_elevation_m, ground_elevation_m
+from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
 """Long side of the pictures that the robust method and the figures work with; the evidence itself uses 512."""

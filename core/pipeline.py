@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from .camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
-from .errors import MissingMetadataError, ObserverError, SkylineNotFoundError
-from .horizon import HorizonOptions, horizon_profile
-from .inner_terrain import InnerOptions, inner_terrain
-from .match_paper import PaperMatchOptions, match_paper
-from .match_robust import RobustOptions, match_robust
-from .model import Orientation, OrientedPhoto, SkylineEvidence
-from .prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
-from .progress import SILENT, subtask
-from .raycast_paper import PaperHorizonOptions, paper_horizon
-from .skyline_evidence import EvidenceOptions as SkylineOptions
-from .skyline_evidence import skyline_evidence
-from .skyline_paper import PaperSkylineOptions, extract_skyline_paper
-from .terrain import ground_elevation_m
-from .thumbnail import thumbnail
+from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
+from .base.errors import MissingMetadataError, ObserverError, SkylineNotFoundError
+from .base.imaging import thumbnail
+from .base.model import Orientation, OrientedPhoto, SkylineEvidence
+from .base.progress import SILENT, subtask
+from .base.terrain import ground_elevation_m
+from .horizon.horizon import HorizonOptions, horizon_profile
+from .horizon.inner import InnerOptions, inner_terrain
+from .match.prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
+from .match.robust import RobustOptions, match_robust
+from .paper.horizon import PaperHorizonOptions, paper_horizon
+from .paper.match import PaperMatchOptions, match_paper
+from .paper.skyline import PaperSkylineOptions, extract_skyline_paper
+from .skyline.evidence import EvidenceOptions as SkylineOptions
+from .skyline.evidence import skyline_evidence
 
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")

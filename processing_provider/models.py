@@ -7,8 +7,8 @@ from pathlib import Path
 from qgis.core import QgsProcessingModelAlgorithm
 from qgis.PyQt.QtGui import QIcon
 
-from ..algorithms import parameters as shared
-from ..algorithms.i18n import mark, marked, tr
+from ..algorithms.shared import parameters as shared
+from ..algorithms.shared.i18n import mark, marked, tr
 
 ROOT = Path(__file__).resolve().parent.parent
 

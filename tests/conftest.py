@@ -114,15 +114,15 @@ def scene(tmp_path_factory):
     from dataclasses import replace
     from types import SimpleNamespace
 
-    from skyline_viewshed.core.camera import Camera, Pose, focal_from_35mm_px
+    from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+    from skyline_viewshed.core.base.model import PhotoMetadata
+    from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.io.raster import open_dem
     from skyline_viewshed.core.io.write_photo import write_photo
     from skyline_viewshed.core.io.write_raster import write_dem
-    from skyline_viewshed.core.model import PhotoMetadata
-    from skyline_viewshed.core.mountains import MountainOptions, make_mountains
-    from skyline_viewshed.core.render import render_view
-    from skyline_viewshed.core.render_scene import clean_scene
-    from skyline_viewshed.core.terrain import Observer
+    from skyline_viewshed.core.simulate.render import render_view
+    from skyline_viewshed.core.simulate.scene import clean_scene
+    from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
     root = tmp_path_factory.mktemp("scene")
     folder, odd, dem_path = root / "photos", root / "odd", root / "dem.tif"

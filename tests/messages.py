@@ -30,7 +30,7 @@ ENDINGS = ("_fault", "_refusal", "_notes")
 def sentences():
     """(where, sentence) of every message: raised, returned by a check of inputs, warned of, or a verdict."""
     found = []
-    for path in [*sorted((ROOT / "core").rglob("*.py")), *sorted((ROOT / "algorithms").glob("*.py"))]:
+    for path in [*sorted((ROOT / "core").rglob("*.py")), *sorted((ROOT / "algorithms").rglob("*.py"))]:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         where = str(path.relative_to(ROOT))
         for node in ast.walk(tree):
@@ -41,7 +41,7 @@ def sentences():
 def all_texts():
     """Every text of the program, variable parts as an ellipsis, in one string with single spaces."""
     texts = []
-    for path in [*(ROOT / "core").rglob("*.py"), *(ROOT / "algorithms").glob("*.py")]:
+    for path in [*(ROOT / "core").rglob("*.py"), *(ROOT / "algorithms").rglob("*.py")]:
         if path.name == "core_sentences.py":  # copies of the core's sentences, for translators
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from osgeo import gdal, osr
-from skyline_viewshed.core.terrain import Window
+from skyline_viewshed.core.base.terrain import Window
 
 
 def make_tif(path, values, geotransform=(600_000, 30, 0, 5_100_000, 0, -30), crs="EPSG:32632", nodata=None, **extra):

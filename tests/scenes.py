@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from skyline_viewshed.core.camera import Camera, Pose, focal_from_35mm_px
-from skyline_viewshed.core.model import Photo, PhotoMetadata
-from skyline_viewshed.core.mountains import MountainOptions, make_mountains
-from skyline_viewshed.core.render import RenderedView, render_view
-from skyline_viewshed.core.render_scene import SceneOptions, clean_scene, hard_scene
-from skyline_viewshed.core.render_viewpoint import ViewpointOptions, find_view
-from skyline_viewshed.core.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.model import Photo, PhotoMetadata
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.simulate.render import RenderedView, render_view
+from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene, hard_scene
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
+from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 
 F35_MM = 35.0
 

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from scripts import script
-from skyline_viewshed.core.angles import difference
-from skyline_viewshed.core.camera import Camera, Pose, project
+from skyline_viewshed.core.base.angles import difference
+from skyline_viewshed.core.base.camera import Camera, Pose, project
 
 pytest.importorskip("cv2", reason="the views are cut with OpenCV")
 CAMERA, POSE = Camera(800, 600, 900.0), Pose(350.0, 4.0, 2.0)

@@ -66,9 +66,11 @@ def test_no_message_on_that_page_is_out_of_date():
 
 def test_every_class_of_error_and_every_status_is_explained():
     page = (DOCS / "troubleshooting.md").read_text(encoding="utf-8")
-    for name in re.findall(r"^class (\w+)\(", (ROOT / "core" / "errors.py").read_text(encoding="utf-8"), re.MULTILINE):
+    for name in re.findall(
+        r"^class (\w+)\(", (ROOT / "core" / "base" / "errors.py").read_text(encoding="utf-8"), re.MULTILINE
+    ):
         assert f"`{name}`" in page, name
-    from skyline_viewshed.core.report_facts import STATUSES
+    from skyline_viewshed.core.report.facts import STATUSES
 
     for page in ("troubleshooting.md", "fields.md"):
         text = (DOCS / page).read_text(encoding="utf-8")

@@ -61,7 +61,7 @@ def test_the_zip_holds_the_plugin_and_nothing_else(package):
         "icons/provider.svg",
         "models/geotaggedphotos.model3",
     )
-    for path in (*wanted, "styles/oriented.qml", "core/errors.py", "requirements.txt"):
+    for path in (*wanted, "styles/oriented.qml", "core/base/errors.py", "requirements.txt"):
         assert path in inside, path
     for path in inside:
         assert not re.search(r"(^|/)(\.git|__pycache__|__MACOSX|\.ci)|\.pyc$", path), path

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scripts import script
-from skyline_viewshed.core.camera import Camera, Pose, project
-from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
+from skyline_viewshed.core.base.camera import Camera, Pose, project
+from skyline_viewshed.core.base.terrain import Observer, Window, bilinear, eye_elevation_m
+from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.mountains import MountainOptions
-from skyline_viewshed.core.terrain import Observer, Window, bilinear, eye_elevation_m
+from skyline_viewshed.demo.mountains import MountainOptions
 
 
 def table_of(path):

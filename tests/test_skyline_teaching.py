@@ -64,7 +64,7 @@ def test_the_benchmark_measures_both_methods(mask_folder, tmp_path):
 
 def test_pictures_that_taught_are_scored_by_weights_that_never_saw_them():
     """Five folds, no picture twice, every table complete."""
-    from skyline_viewshed.core.skyline_evidence import shipped_weights
+    from skyline_viewshed.core.skyline.evidence import shipped_weights
 
     held_out = script("benchmarks/bench_skyline.py").held_out_weights()
     folds = json.loads((ROOT / "benchmarks" / "skyline_folds.json").read_text())["folds"]

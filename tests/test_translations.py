@@ -93,7 +93,7 @@ def test_a_string_that_is_no_literal_is_refused(tmp_path):
 
 
 def test_every_sentence_of_the_core_has_a_template():
-    from skyline_viewshed.algorithms.core_sentences import SENTENCES
+    from skyline_viewshed.algorithms.shared.core_sentences import SENTENCES
 
     known = {re.sub(r"\{\w\}", "…", template) for template in SENTENCES}
     said = {text for where, text in sentences() if where.startswith("core/")}
@@ -102,7 +102,7 @@ def test_every_sentence_of_the_core_has_a_template():
 
 
 def test_a_sentence_of_the_core_is_taken_apart_and_put_together(monkeypatch):
-    from skyline_viewshed.algorithms import core_sentences
+    from skyline_viewshed.algorithms.shared import core_sentences
 
     german = translations.read_catalogue(translations.catalogue_path("de"))
     text = (
@@ -140,7 +140,7 @@ def test_qgis_shows_the_language(compiled, qgis_app, language, title):
 
 def test_the_plugin_loads_the_language_of_the_user(compiled, qgis_app, tmp_path, monkeypatch):
     from skyline_viewshed import plugin as module
-    from skyline_viewshed.algorithms.i18n import tr
+    from skyline_viewshed.algorithms.shared.i18n import tr
 
     shutil.copy(compiled["de"], tmp_path / "skyline_viewshed_de.qm")
     monkeypatch.setattr(module, "TRANSLATIONS", tmp_path)

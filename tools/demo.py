@@ -86,11 +86,11 @@ def oriented_points(path):
 def draw_map(results, dem_path, target):
     """Shaded relief with cameras and the ground they show."""
     from osgeo import gdal, ogr
-    from skyline_viewshed.core.draw_raster import encode_png
-    from skyline_viewshed.core.figures_ground import SeenGround, ground_map
-    from skyline_viewshed.core.figures_map import MapObserver, map_image
+    from skyline_viewshed.core.base.terrain import Window
+    from skyline_viewshed.core.figures.ground import SeenGround, ground_map
+    from skyline_viewshed.core.figures.map import MapObserver, map_image
+    from skyline_viewshed.core.figures.raster import encode_png
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.terrain import Window
 
     dem = open_dem(dem_path)
     source = ogr.Open(str(results["points"]))

@@ -1,4 +1,4 @@
-"""Fit the table that turns a fit's own quantities into a probability: `core/match_calibration.json`.
+"""Fit the table that turns a fit's own quantities into a probability: `core/match/calibration.json`.
 
     python tools/fit_calibration.py collect rows.jsonl --count 400 --seed 11
     python tools/fit_calibration.py fit rows.jsonl [--test other.jsonl] [--write]
@@ -23,8 +23,8 @@ from scipy.optimize import minimize
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "build" / "plugins"), str(ROOT / "benchmarks")]
 
-from skyline_viewshed.core.angles import difference  # noqa: E402
-from skyline_viewshed.core.match_calibration import LARGEST_STANDARD, TABLE_PATH, features, likelihood_share  # noqa: E402
+from skyline_viewshed.core.base.angles import difference  # noqa: E402
+from skyline_viewshed.core.match.posterior import LARGEST_STANDARD, TABLE_PATH, features, likelihood_share  # noqa: E402
 
 USED = ("relative_gap", "score", "log_relief", "log_misfit", "log_hfov")
 RIGHT_DEG = 3.0
@@ -71,15 +71,15 @@ def collect(path, count, seed):
 
 def _solve(path, dem):
     """What the matcher finds, before it is judged; None where it refuses the picture."""
-    from skyline_viewshed.core.errors import PhotoError
-    from skyline_viewshed.core.horizon import horizon_profile
-    from skyline_viewshed.core.inner_terrain import inner_terrain
+    from skyline_viewshed.core.base.errors import PhotoError
+    from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.horizon.horizon import horizon_profile
+    from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
-    from skyline_viewshed.core.match_robust import find_answers
+    from skyline_viewshed.core.match.prior import TYPICAL_POSITION_ERROR_M
+    from skyline_viewshed.core.match.robust import find_answers
     from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
-    from skyline_viewshed.core.prior import TYPICAL_POSITION_ERROR_M
-    from skyline_viewshed.core.skyline_evidence import skyline_evidence
-    from skyline_viewshed.core.terrain import Observer
+    from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
     options = OrientOptions()
     photo = read_photo(path, 1024)

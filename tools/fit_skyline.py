@@ -11,7 +11,7 @@ log of
 
     0.95 x (probability within a Gaussian of 1.2 rows around the true row) + 0.05 / rows
 
-with a ridge penalty on standardised weights. Writes `core/skyline_weights.json`, fitted to everything, and
+with a ridge penalty on standardised weights. Writes `core/skyline/weights.json`, fitted to everything, and
 `benchmarks/skyline_folds.json`: five more fits, each without a fifth of the masked pictures, with which
 `bench_skyline.py` scores just those.
 """
@@ -28,10 +28,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 from scipy.optimize import minimize
-from skyline_viewshed.core import imaging
-from skyline_viewshed.core.skyline_appearance import measure
-from skyline_viewshed.core.skyline_colour import learn_sky
-from skyline_viewshed.core.skyline_features import boundary_features
+from skyline_viewshed.core.base import imaging
+from skyline_viewshed.core.skyline.appearance import measure
+from skyline_viewshed.core.skyline.colour import learn_sky
+from skyline_viewshed.core.skyline.features import boundary_features
 
 ROOT = Path(__file__).resolve().parent.parent
 WORK_PX = 512
@@ -56,7 +56,7 @@ def simulated_pictures(count, folder):
     """Yield name, pixels and the first terrain row per column where it can be seen; rendered once, then kept."""
     sys.path.insert(0, str(ROOT / "benchmarks"))
     from simulated_cases import dem_paths, draw_case, terrain_of
-    from skyline_viewshed.core.render import render_view
+    from skyline_viewshed.core.simulate.render import render_view
 
     folder.mkdir(parents=True, exist_ok=True)
     paths = dem_paths(folder / "dems")
@@ -219,11 +219,11 @@ def main():
     weights, value = fit(masks + scenes)
     print(f"all: loss {value:.4f} after {time.time() - start:.0f} s", flush=True)
     origin = (
-        f"Conditional logit, tools/fit_skyline.py: {len(scenes)} simulated pictures (core/render.py over real and "
-        f"procedural DEMs) and {len(masks)} variants of 30 photographs with hand-corrected masks "
+        f"Conditional logit, tools/fit_skyline.py: {len(scenes)} simulated pictures (core/simulate/render.py over real "
+        f"and procedural DEMs) and {len(masks)} variants of 30 photographs with hand-corrected masks "
         "(staunton-golding/MountainMappingProject, photographs from Unsplash; not part of this package)."
     )
-    path = Path(options.out) / "core" / "skyline_weights.json"
+    path = Path(options.out) / "core" / "skyline" / "weights.json"
     path.write_text(json.dumps({"origin": origin, "loss": round(value, 4), "weights": table(names, weights)}, indent=1))
     order = sorted({name for name, _, _ in masks})
     folds = []

@@ -269,7 +269,7 @@ def field_blocks():
 
 def spec_functions():
     """`module.function` of each public function under algorithms/ that is called *_specs and takes no argument."""
-    for path in sorted((ROOT / "algorithms").glob("*.py")):
+    for path in sorted((ROOT / "algorithms").rglob("*.py")):
         for name in re.findall(r"^def (\w+_specs)\(\):", path.read_text(encoding="utf-8"), re.MULTILINE):
             if not name.startswith("_"):
                 yield f"{path.stem}.{name}"
@@ -278,7 +278,8 @@ def spec_functions():
 def specs_of(path):
     """Specifications that `module.function` gives."""
     module, function = path.split(".")
-    return getattr(import_module(f"skyline_viewshed.algorithms.{module}"), function)()
+    folder = "algorithms.shared" if (ROOT / "algorithms" / "shared" / f"{module}.py").exists() else "algorithms"
+    return getattr(import_module(f"skyline_viewshed.{folder}.{module}"), function)()
 
 
 def field_table(specs):

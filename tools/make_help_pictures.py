@@ -11,15 +11,18 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
+from skyline_viewshed.core.base.terrain import Observer, Window  # noqa: E402
 from skyline_viewshed.core.batch import PhotoRequest, orient_request  # noqa: E402
-from skyline_viewshed.core.draw_raster import draw_dot, draw_line, encode_jpeg, resized  # noqa: E402
-from skyline_viewshed.core.figures_ground import SeenGround, ground_map  # noqa: E402
-from skyline_viewshed.core.figures_map import MapData, MapObserver, map_image  # noqa: E402
-from skyline_viewshed.core.figures_overlay import overlay_image  # noqa: E402
-from skyline_viewshed.core.figures_panels import three_panels  # noqa: E402
+from skyline_viewshed.core.figures.ground import (  # noqa: E402
+    SeenGround,
+    ground_map,
+    three_panels,  # noqa: E402
+)
+from skyline_viewshed.core.figures.map import MapData, MapObserver, map_image  # noqa: E402
+from skyline_viewshed.core.figures.overlay import overlay_image  # noqa: E402
+from skyline_viewshed.core.figures.raster import draw_dot, draw_line, encode_jpeg, resized  # noqa: E402
 from skyline_viewshed.core.io.raster import open_dem  # noqa: E402
-from skyline_viewshed.core.terrain import Observer, Window  # noqa: E402
-from skyline_viewshed.core.viewshed import PhotoFrame, ViewshedOptions, viewshed  # noqa: E402
+from skyline_viewshed.core.viewshed.viewshed import PhotoFrame, ViewshedOptions, viewshed  # noqa: E402
 
 SAMPLE = ROOT / "build" / "demo" / "sample"
 OUT = ROOT / "icons" / "help"

@@ -14,8 +14,8 @@ from PIL import Image
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
-from skyline_viewshed.core.draw_raster import draw_dot, draw_line, encode_jpeg, resized, tint  # noqa: E402
-from skyline_viewshed.core.hillshade import hillshade  # noqa: E402
+from skyline_viewshed.core.figures.hillshade import hillshade  # noqa: E402
+from skyline_viewshed.core.figures.raster import draw_dot, draw_line, encode_jpeg, resized, tint  # noqa: E402
 
 RUN, IMAGES, HELP = ROOT / "build" / "photo-to-map", ROOT / "docs" / "images", ROOT / "icons" / "help"
 DEM = ROOT / "build" / "demo" / "sample" / "dem" / "mountains.tif"

@@ -37,12 +37,12 @@ def main():
     """Write all styles."""
     application = QgsApplication([], False)
     application.initQgis()
-    from skyline_viewshed.algorithms.fields import qgis_fields
-    from skyline_viewshed.algorithms.image_features import line_specs
-    from skyline_viewshed.algorithms.image_features import point_specs as image_point_specs
     from skyline_viewshed.algorithms.label_peaks import peak_specs
-    from skyline_viewshed.algorithms.monoplotting import drawn_specs, ellipse_specs, point_specs
     from skyline_viewshed.algorithms.panorama import ridge_specs
+    from skyline_viewshed.algorithms.shared.fields import qgis_fields
+    from skyline_viewshed.algorithms.shared.image_features import line_specs
+    from skyline_viewshed.algorithms.shared.image_features import point_specs as image_point_specs
+    from skyline_viewshed.algorithms.shared.monoplotting import drawn_specs, ellipse_specs, point_specs
     from skyline_viewshed.tools.make_styles import save, vector_layer
 
     def layer(kind, specs):

@@ -18,17 +18,17 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
-from skyline_viewshed.core.camera import Camera, focal_from_35mm_px  # noqa: E402
-from skyline_viewshed.core.errors import MissingPackageError  # noqa: E402
+from skyline_viewshed.core.base.camera import Camera, focal_from_35mm_px  # noqa: E402
+from skyline_viewshed.core.base.errors import MissingPackageError  # noqa: E402
+from skyline_viewshed.core.base.model import PhotoMetadata  # noqa: E402
 from skyline_viewshed.core.io.raster import open_dem  # noqa: E402
 from skyline_viewshed.core.io.write_photo import write_photo  # noqa: E402
 from skyline_viewshed.core.io.write_raster import write_dem  # noqa: E402
-from skyline_viewshed.core.model import PhotoMetadata  # noqa: E402
-from skyline_viewshed.core.mountains import MountainOptions, make_mountains  # noqa: E402
-from skyline_viewshed.core.render import render_view  # noqa: E402
-from skyline_viewshed.core.render_detail import DetailedTerrain  # noqa: E402
-from skyline_viewshed.core.render_scene import clean_scene, sun_direction_deg  # noqa: E402
-from skyline_viewshed.core.render_viewpoint import ViewpointOptions, find_view  # noqa: E402
+from skyline_viewshed.core.simulate.render import render_view  # noqa: E402
+from skyline_viewshed.core.simulate.scene import clean_scene, sun_direction_deg  # noqa: E402
+from skyline_viewshed.demo.detail import DetailedTerrain  # noqa: E402
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains  # noqa: E402
+from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view  # noqa: E402
 
 MOUNTAINS = MountainOptions(size=480, cell_m=60.0, relief_m=2500.0, base_m=700.0, longitude_deg=8.0, latitude_deg=46.5)
 NOON_UTC = datetime(2024, 7, 14, 11, 30)

@@ -52,9 +52,9 @@ def main():
     application = QgsApplication([], False)
     application.initQgis()
     sys.path.insert(0, str(ROOT / "build" / "plugins"))
-    from skyline_viewshed.algorithms.fields import photo_specs, qgis_fields
-    from skyline_viewshed.algorithms.oriented import oriented_specs
-    from skyline_viewshed.algorithms.viewshed_outputs import polygon_specs
+    from skyline_viewshed.algorithms.shared.fields import photo_specs, qgis_fields
+    from skyline_viewshed.algorithms.shared.oriented import oriented_specs
+    from skyline_viewshed.algorithms.shared.viewshed_outputs import polygon_specs
 
     (ROOT / "styles").mkdir(exist_ok=True)
     save(oriented(vector_layer("Point", qgis_fields(photo_specs()[:10] + oriented_specs()))), "oriented")

@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 CATALOGUES = ROOT / "i18n"
 LANGUAGES = ("de", "es", "fr")
 CONTEXT = "SkylineViewshed"
-SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/*.py")
-SOURCES = (*SHELL, "core/*.py")
+SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py")
+SOURCES = (*SHELL, "core/**/*.py")
 
 
 def source_strings(root=ROOT):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from osgeo import osr
 
-from ..errors import TerrainError
+from ..base.errors import TerrainError
 from .gdal_quiet import quiet_gdal
 
 WGS84 = "EPSG:4326"

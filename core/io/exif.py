@@ -11,7 +11,7 @@ import logging
 import re
 import warnings
 
-from ..optional import available
+from ..base.optional import available
 from .formats import GDAL_DRIVERS
 from .gdal_quiet import open_quietly, quiet_gdal
 

@@ -20,8 +20,8 @@ import os
 
 import numpy as np
 
-from ..errors import UnreadableFeaturesError
-from ..pixel_features import PixelFeature, downward, open_ring
+from ..base.errors import UnreadableFeaturesError
+from ..base.pixel_features import PixelFeature, downward, open_ring
 
 CORNER_PX = 0.5
 MAX_BYTES = 200_000_000

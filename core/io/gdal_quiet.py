@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 
-from ..optional import available
+from ..base.optional import available
 
 CACHE_BYTES = 8 * 2**20, 64 * 2**20
 """Least and most of GDAL's block cache while a window passes through; its own default is 5 % of the memory. The less

@@ -10,7 +10,7 @@ from __future__ import annotations
 from datetime import datetime
 from math import hypot, isfinite
 
-from ..camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
+from ..base.camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
 
 MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 """FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool reads them."""

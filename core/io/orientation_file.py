@@ -19,9 +19,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..camera import Camera, Pose
-from ..horizon_model import HorizonProfile
-from ..model import Candidate, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
+from ..base.camera import Camera, Pose
+from ..base.model import Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
 
 CORE = Path(__file__).resolve().parent.parent
 PROGRAM = (".py", ".json", ".txt")

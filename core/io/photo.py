@@ -6,9 +6,9 @@ import os
 
 import numpy as np
 
-from ..errors import SkylineViewshedError
-from ..imaging import shrink
-from ..model import Photo, PhotoMetadata
+from ..base.errors import SkylineViewshedError
+from ..base.imaging import shrink
+from ..base.model import Photo, PhotoMetadata
 from .exif import read_tags
 from .formats import format_of, is_photo_name
 from .metadata import interpret

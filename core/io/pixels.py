@@ -7,8 +7,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from ..errors import UnreadablePhotoError
-from ..optional import available, install_hint
+from ..base.errors import UnreadablePhotoError
+from ..base.optional import available, install_hint
 from .formats import GDAL_DRIVERS, check_size
 from .gdal_quiet import open_quietly, quiet_gdal
 

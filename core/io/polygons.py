@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ..terrain import Window
+from ..base.terrain import Window
 from .crs import local_plane, spatial_reference
 from .gdal_quiet import quiet_gdal, small_cache
 
@@ -51,7 +51,7 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
 
     Parameters
     ----------
-    viewshed : core.viewshed.Viewshed
+    viewshed : core.viewshed.viewshed.Viewshed
         Or anything with `window`, `frame` and `values`, of which an array's slices are enough.
     dem : Dem
         On whose grid it was computed.

@@ -7,10 +7,10 @@ import os
 import numpy as np
 from osgeo import gdal
 
-from ..angles import wrap_180
-from ..errors import ObserverOutsideDemError, TerrainError, UnusableDemError
-from ..frame import tabulate_frame
-from ..terrain import Window
+from ..base.angles import wrap_180
+from ..base.errors import ObserverOutsideDemError, TerrainError, UnusableDemError
+from ..base.frame import tabulate_frame
+from ..base.terrain import Window
 from .crs import Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
 
@@ -99,7 +99,7 @@ def _geotransform(path, dataset):
 
 
 class Dem:
-    """An elevation model in a file; satisfies `core.terrain.Terrain`.
+    """An elevation model in a file; satisfies `core.base.terrain.Terrain`.
 
     Attributes
     ----------

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from osgeo import gdal
 
-from ..terrain import Window
+from ..base.terrain import Window
 from .gdal_quiet import open_quietly, quiet_gdal
 from .write_raster import new_raster
 
@@ -27,7 +27,7 @@ KEY = "SKYLINE_VIEWSHED_FINGERPRINT"
 
 @dataclass(frozen=True, eq=False)
 class StoredViewshed:
-    """What a file holds: window of the DEM, and values as in `core.viewshed.Viewshed`."""
+    """What a file holds: window of the DEM, and values as in `core.viewshed.viewshed.Viewshed`."""
 
     window: Window
     values: np.ndarray
@@ -75,7 +75,7 @@ def write_viewshed(path, viewshed, dem, mark, metadata=None):
 
 
 class _WholeArray:
-    """Holds what is read, as `core.viewshed.ArraySink` does."""
+    """Holds what is read, as `core.viewshed.viewshed.ArraySink` does."""
 
     def __init__(self, window):
         self.window, self.values = window, np.empty((window.rows, window.cols), np.uint8)
@@ -88,7 +88,7 @@ class _WholeArray:
 def read_viewshed(path, dem, mark, hold=_WholeArray):
     """Give the stored viewshed if the file is there, whole and of this fingerprint; else None.
 
-    `hold` makes from the window what takes the strips, as the sinks of `core.viewshed` do.
+    `hold` makes from the window what takes the strips, as the sinks of `core.viewshed.viewshed` do.
     """
     if not os.path.exists(path):
         return None

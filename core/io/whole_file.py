@@ -10,11 +10,12 @@ import errno
 import os
 import secrets
 import shutil
+import tempfile
 import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from ..errors import OutputError
+from ..base.errors import OutputError
 
 JOURNALS = ("-wal", "-shm", "-journal")
 """What SQLite keeps beside a database; one that a dead process has left must not meet a new database."""
@@ -95,3 +96,68 @@ def _output_error(path, error):
     if not path.parent.is_dir():
         reason = f"the folder {path.parent} does not exist"
     return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
+
+
+class ReportFile:
+    """The `Document` of `core.report.report` on disk.
+
+    What is written waits in a nameless temporary file in the same folder (it vanishes with the process, however that
+    ends); `finish` joins head, body and tail and gives the file its name in one step.
+
+    Parameters
+    ----------
+    path : str
+        Of the HTML file to be; an older one stays as it is until the new one is whole.
+
+    Raises
+    ------
+    OutputError
+        From every method, where the folder is missing or read-only or the disk is full.
+    """
+
+    def __init__(self, path):
+        self.path = os.fspath(path)
+        self._folder = os.path.dirname(self.path) or "."
+        try:
+            self._body = tempfile.TemporaryFile(  # noqa: SIM115 - lives until finish or discard
+                "w+", dir=self._folder, prefix=".skyline-", encoding="utf-8", newline="\n"
+            )
+        except OSError as error:
+            raise self._output_error(error) from None
+
+    def write(self, text):
+        """Append to the body."""
+        try:
+            self._body.write(text)
+        except OSError as error:
+            raise self._output_error(error) from None
+
+    def finish(self, head, tail):
+        """Put `head` before the body and `tail` behind it, and make the whole appear."""
+        part = os.path.join(self._folder, f".skyline-{secrets.token_hex(6)}.part")
+        try:
+            with open(part, "w", encoding="utf-8", newline="\n") as whole:
+                whole.write(head)
+                self._body.seek(0)
+                shutil.copyfileobj(self._body, whole, 1 << 20)
+                whole.write(tail)
+            os.replace(part, self.path)
+        except OSError as error:
+            raise self._output_error(error) from None
+        finally:
+            with suppress(OSError):
+                os.remove(part)
+            self.discard()
+
+    def discard(self):
+        """Leave nothing behind."""
+        with suppress(OSError):  # closing flushes, which fails once more on a full disk
+            self._body.close()
+
+    def _output_error(self, error):
+        reason = error.strerror or str(error)
+        if not os.path.isdir(self._folder):
+            reason = f"the folder {self._folder} does not exist"
+        return OutputError(
+            f"The report {self.path} cannot be written: {reason}. Choose another folder or free some space."
+        )

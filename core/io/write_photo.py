@@ -10,8 +10,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..errors import OutputError
-from ..optional import require
+from ..base.errors import OutputError
+from ..base.optional import require
 
 HEIC_SUFFIXES = (".heic", ".heif")
 JPEG_SUFFIXES = (".jpg", ".jpeg")

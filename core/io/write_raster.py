@@ -10,8 +10,8 @@ from contextlib import contextmanager, suppress
 import numpy as np
 from osgeo import gdal
 
-from ..errors import OutputError
-from ..terrain import Window
+from ..base.errors import OutputError
+from ..base.terrain import Window
 from .crs import local_plane, spatial_reference
 from .gdal_quiet import quiet_gdal, small_cache
 
@@ -184,7 +184,7 @@ def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(
 
 
 def write_dem(path, elevation_m, cell_m, longitude_deg=0.0, latitude_deg=0.0):
-    """Write synthetic terrain (`core.terrain.ArrayTerrain`) as a GeoTIFF that GDAL and QGIS place on the Earth.
+    """Write synthetic terrain (`core.base.terrain.ArrayTerrain`) as a GeoTIFF that GDAL and QGIS place on the Earth.
 
     Parameters
     ----------

@@ -15,15 +15,15 @@ from qgis.core import (
     QgsProject,
     QgsVectorLayer,
 )
-from skyline_viewshed.core.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.model import PhotoMetadata
+from skyline_viewshed.core.base.terrain import Observer, bilinear
 from skyline_viewshed.core.io.crs import WGS84, Transformer, local_plane, spatial_reference
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
-from skyline_viewshed.core.model import PhotoMetadata
-from skyline_viewshed.core.mountains import MountainOptions, make_mountains
-from skyline_viewshed.core.render import render_view
-from skyline_viewshed.core.render_scene import clean_scene
-from skyline_viewshed.core.terrain import Observer, bilinear
+from skyline_viewshed.core.simulate.render import render_view
+from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
 LON, LAT, CELL_M, SIZE = -149.5, 61.1, 60.0, 400
 POSE = Pose(260.0, 3.0, 1.0)

@@ -125,7 +125,7 @@ def test_outputs_are_dressed_when_they_are_loaded(run, scene):
 @pytest.mark.parametrize("style", ["oriented", "photos", "polygons"])
 def test_a_hostile_file_name_stays_text_in_the_map_tip(qgis_app, style):
     from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsVectorLayer
-    from skyline_viewshed.algorithms.styling import STYLES
+    from skyline_viewshed.algorithms.shared.styling import STYLES
 
     fields = "&".join(f"field={name}:string" for name in ("photo", "status", "message"))
     reals = "&".join(f"field={name}:double" for name in ("heading", "direction", "area_m2", "farthest_m"))

@@ -11,9 +11,9 @@ from qgis.core import (
     QgsProject,
     QgsVectorLayer,
 )
-from skyline_viewshed.core.camera import Camera, Pose, focal_of_fov_px, in_frame, project
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame, project
+from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Window
 
 FIELDS = "&".join(f"field={name}:double" for name in ("heading", "pitch", "roll", "hfov", "vfov"))
 

@@ -25,11 +25,11 @@ def test_parameters_are_the_contract(algorithm):
 
 @pytest.mark.parametrize(("method", "largest_px"), [(0, 3.0), (1, 60.0)])
 def test_rows_are_pixels_of_the_full_picture(run, photos, scene, method, largest_px):
-    from skyline_viewshed.core.camera import Camera, focal_of_fov_px
-    from skyline_viewshed.core.figures_lines import horizon_line
-    from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
+    from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
+    from skyline_viewshed.core.base.overlay_lines import horizon_line
+    from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.terrain import Observer
 
     results, _ = run("extractskyline", {"INPUT": photos, "METHOD": method, "OUTPUT": "memory:"})
     assert results["OUTPUT"].fields().names() == ["photo", "column", "row", "confidence"]

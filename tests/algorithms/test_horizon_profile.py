@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsRectangle, QgsVectorLayer
-from skyline_viewshed.core.horizon import HorizonOptions, horizon_profile
+from skyline_viewshed.core.base.terrain import Observer, Window
+from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Observer, Window
 
 
 def point_layer(points, crs="EPSG:4326"):

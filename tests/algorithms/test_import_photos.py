@@ -144,8 +144,8 @@ def peak_bytes(environment, *arguments):
 
 
 def test_a_folder_of_ten_thousand_photographs_is_read_in_little_memory(qgis_process, shell_environment, tmp_path):
+    from skyline_viewshed.core.base.model import PhotoMetadata
     from skyline_viewshed.core.io.write_photo import write_photo
-    from skyline_viewshed.core.model import PhotoMetadata
 
     folder, few, output = tmp_path / "many", tmp_path / "few", tmp_path / "photos.gpkg"
     folder.mkdir()

@@ -9,7 +9,7 @@ import shutil
 import pytest
 from qgis.core import QgsProcessingException, QgsVectorLayer
 from skyline_viewshed.core import batch
-from skyline_viewshed.core.errors import Cancelled
+from skyline_viewshed.core.base.errors import Cancelled
 
 pytestmark = pytest.mark.qgis
 

@@ -103,8 +103,8 @@ from qgis.PyQt.QtCore import QVariant
 app = QgsApplication([], False)
 app.initQgis()
 from skyline_viewshed.algorithms.import_photos import ImportPhotos
-from skyline_viewshed.algorithms.outputs import write_features, write_whole
-from skyline_viewshed.core.io.report_file import ReportFile
+from skyline_viewshed.algorithms.shared.outputs import write_features, write_whole
+from skyline_viewshed.core.io.whole_file import ReportFile
 from skyline_viewshed.core.io.write_raster import write_dem
 import numpy as np
 

@@ -110,7 +110,7 @@ def test_every_text_of_the_models_is_in_the_catalogue(provider):
 
 
 def test_every_legend_is_in_the_catalogue():
-    from skyline_viewshed.algorithms.legends import ENTRIES
+    from skyline_viewshed.algorithms.shared.legends import ENTRIES
 
     found = set()
     for path in sorted((ROOT / "styles").glob("*.qml")):
@@ -120,7 +120,7 @@ def test_every_legend_is_in_the_catalogue():
 
 
 def test_a_layer_s_legend_speaks_the_language(speaking, run, scene, tmp_path):
-    from skyline_viewshed.algorithms.styling import style_on_completion
+    from skyline_viewshed.algorithms.shared.styling import style_on_completion
 
     catalogue = speaking("de")
     points = photos(run, scene, tmp_path)
@@ -138,8 +138,8 @@ def test_a_layer_s_legend_speaks_the_language(speaking, run, scene, tmp_path):
 
 def test_a_raster_s_legend_speaks_the_language(speaking, scene):
     from qgis.core import QgsRasterLayer
-    from skyline_viewshed.algorithms.legends import translate_legend
-    from skyline_viewshed.algorithms.styling import STYLES
+    from skyline_viewshed.algorithms.shared.legends import translate_legend
+    from skyline_viewshed.algorithms.shared.styling import STYLES
 
     catalogue = speaking("es")
     layer = QgsRasterLayer(str(scene.dem), "viewshed")
@@ -152,7 +152,7 @@ def test_a_raster_s_legend_speaks_the_language(speaking, scene):
 def test_a_style_beside_a_file_speaks_the_language(speaking, tmp_path):
     from xml.etree import ElementTree
 
-    from skyline_viewshed.algorithms.styling import dress_file
+    from skyline_viewshed.algorithms.shared.styling import dress_file
 
     catalogue = speaking("fr")
     dress_file(str(tmp_path / "a.tif"), "layers")

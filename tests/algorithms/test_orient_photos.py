@@ -270,7 +270,7 @@ def test_a_layer_that_cannot_serve_is_refused_before_anything_runs(refusal, scen
 
 def test_a_fault_of_our_own_costs_one_photo_and_is_logged(run, scene, photo_layer, monkeypatch):
     from skyline_viewshed.core import batch
-    from skyline_viewshed.core.model import Orientation, OrientedPhoto
+    from skyline_viewshed.core.base.model import Orientation, OrientedPhoto
 
     def shaky(request, *others):
         if request.path.endswith("north.jpg"):
@@ -287,7 +287,7 @@ def test_a_fault_of_our_own_costs_one_photo_and_is_logged(run, scene, photo_laye
 
 def test_a_fault_of_the_dem_ends_the_batch(run, scene, photo_layer, monkeypatch):
     from skyline_viewshed.core import batch
-    from skyline_viewshed.core.errors import UnusableDemError
+    from skyline_viewshed.core.base.errors import UnusableDemError
 
     def broken(*arguments):
         raise UnusableDemError("The DEM is damaged.")

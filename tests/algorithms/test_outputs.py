@@ -21,9 +21,9 @@ from qgis.core import (
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QVariant
-from skyline_viewshed.algorithms import outputs
-from skyline_viewshed.algorithms.outputs import write_features
-from skyline_viewshed.algorithms.styling import LayerStyler, style_on_completion
+from skyline_viewshed.algorithms.shared import outputs
+from skyline_viewshed.algorithms.shared.outputs import write_features
+from skyline_viewshed.algorithms.shared.styling import LayerStyler, style_on_completion
 
 pytestmark = pytest.mark.qgis
 

@@ -55,10 +55,10 @@ def oriented(qgis_app, scene):
 @pytest.fixture(scope="session")
 def known(scene):
     """The north photo as the core has it: view and terrain."""
-    from skyline_viewshed.core.camera import Camera, focal_of_fov_px
+    from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
+    from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.base.view import open_view
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.terrain import Observer
-    from skyline_viewshed.core.view import open_view
 
     dem = open_dem(str(scene.dem))
     camera = Camera(800, 600, focal_of_fov_px(800, scene.hfov_deg))
@@ -95,7 +95,7 @@ def test_pixels_become_places_with_their_errors(run, scene, oriented, known):
     table = pixel_table([["north.jpg", 400, 500, "slope"], ["north.jpg", 400, 2, "sky"], ["WEST.JPG", 300, 450, "w"]])
     results, feedback = run("pixeltomap", base(oriented, scene, PIXELS=table, OUTPUT="memory:", ELLIPSES="memory:"))
     slope, sky, west = sorted(rows_of(results["OUTPUT"]), key=lambda row: ["slope", "sky", "w"].index(row["label"]))
-    from skyline_viewshed.core.monoplot import place_pixels
+    from skyline_viewshed.core.mapping.monoplot import place_pixels
 
     truth = place_pixels(known.dem, known.view, np.array([400.0]), np.array([500.0]))
     assert slope["status"] == "ground" and slope["dist_m"] == pytest.approx(truth.hits.distance_m[0], rel=1e-3)
@@ -189,7 +189,7 @@ def test_lines_and_areas_are_cut_by_what_hides_them_and_drawn(run, scene, orient
 
 def test_draping_colours_what_the_photo_sees_as_the_photo_has_it(run, scene, oriented, known, tmp_path):
     from skyline_viewshed.core.io.photo import read_photo
-    from skyline_viewshed.core.monoplot import place_pixels
+    from skyline_viewshed.core.mapping.monoplot import place_pixels
 
     out, gsd = tmp_path / "draped.tif", tmp_path / "gsd.tif"
     results, _ = run("drapephoto", base(oriented, scene, OUTPUT=str(out), GSD=str(gsd)))

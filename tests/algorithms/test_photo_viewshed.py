@@ -92,7 +92,7 @@ def test_each_viewshed_has_its_figure_in_folder_and_report(solved):
 
 
 def test_the_way_between_the_photographs_is_in_order_of_time_and_rests_at_night():
-    from skyline_viewshed.algorithms.result_figures import PAUSE_S, way
+    from skyline_viewshed.algorithms.shared.result_figures import PAUSE_S, way
 
     points = way(sorted([(90.0, (5, 5)), (0.0, (1, 1)), (100.0 + PAUSE_S, (9, 9))]))
     assert points[:, 0].tolist()[:2] == [1, 5]
@@ -100,9 +100,9 @@ def test_the_way_between_the_photographs_is_in_order_of_time_and_rests_at_night(
 
 
 def test_stations_take_positions_and_times_where_they_are(run, scene, tmp_path):
-    from skyline_viewshed.algorithms.fields import is_null
-    from skyline_viewshed.algorithms.layers import PointRow
-    from skyline_viewshed.algorithms.result_figures import Station, stations_of
+    from skyline_viewshed.algorithms.shared.fields import is_null
+    from skyline_viewshed.algorithms.shared.layers import PointRow
+    from skyline_viewshed.algorithms.shared.result_figures import Station, stations_of
 
     run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(tmp_path / "points.gpkg")})
     features = list(QgsVectorLayer(str(tmp_path / "points.gpkg")).getFeatures())

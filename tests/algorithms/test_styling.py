@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from qgis.core import QgsProcessingContext, QgsProject, QgsRasterLayer
 from qgis.PyQt.QtGui import QColor
-from skyline_viewshed.algorithms.styling import STYLES, dress_file, style_on_completion
+from skyline_viewshed.algorithms.shared.styling import STYLES, dress_file, style_on_completion
+from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.viewshed_raster import write_layers
-from skyline_viewshed.core.terrain import Window
 
 pytestmark = pytest.mark.qgis
 
@@ -95,7 +95,7 @@ def test_a_style_of_the_user_s_own_stays(tmp_path):
 
 
 def test_a_style_that_cannot_be_written_is_an_error_in_words(tmp_path):
-    from skyline_viewshed.core.errors import OutputError
+    from skyline_viewshed.core.base.errors import OutputError
 
     (tmp_path / "file").write_text("no folder")
     with pytest.raises(OutputError, match="cannot be written"):

@@ -12,8 +12,8 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
+from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Window
 
 FIELDS = ("heading", "pitch", "roll", "hfov", "vfov", "heading_lo", "heading_hi")
 BANDS = ("distance", "elevation angle", "height above the line of sight", "column in the photograph")
@@ -241,10 +241,10 @@ class TestTerrainShare:
         assert rows_of(results)["a.jpg"]["terr_share"] == expected
 
     def test_it_is_the_rendered_picture_s(self, call, points, scene):
-        from skyline_viewshed.core.camera import Camera, focal_of_fov_px
-        from skyline_viewshed.core.render import render_view
-        from skyline_viewshed.core.render_scene import clean_scene
-        from skyline_viewshed.core.terrain import Observer
+        from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
+        from skyline_viewshed.core.base.terrain import Observer
+        from skyline_viewshed.core.simulate.render import render_view
+        from skyline_viewshed.core.simulate.scene import clean_scene
 
         focal = focal_of_fov_px(400, scene.hfov_deg)
         camera = Camera(400, round(2 * focal * np.tan(np.radians(49.7 / 2))), focal)
@@ -312,7 +312,7 @@ class TestSkylines:
 
 
 def test_extras_of_too_large_a_window_are_refused_in_words(call, points, tmp_path, monkeypatch):
-    from skyline_viewshed.algorithms import viewer, viewshed_extras
+    from skyline_viewshed.algorithms.shared import viewer, viewshed_extras
 
     monkeypatch.setattr(viewshed_extras, "LAYER_CELLS", 100)
     monkeypatch.setattr(viewer, "PACKED_CELLS", 100)

@@ -10,8 +10,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.camera import Camera, Pose, project
-from skyline_viewshed.core.model import (
+from skyline_viewshed.core.base.camera import Camera, Pose, project
+from skyline_viewshed.core.base.model import (
     Candidate,
     HorizonProfile,
     Orientation,
@@ -20,7 +20,7 @@ from skyline_viewshed.core.model import (
     Skyline,
     SkylineEvidence,
 )
-from skyline_viewshed.core.prior import CameraPrior
+from skyline_viewshed.core.match.prior import CameraPrior
 
 
 @dataclass(frozen=True)

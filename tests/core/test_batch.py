@@ -5,11 +5,11 @@ from datetime import datetime
 import numpy as np
 import pytest
 from osgeo import gdal
-from skyline_viewshed.core.angles import difference
+from skyline_viewshed.core.base.angles import difference
+from skyline_viewshed.core.base.camera import project
+from skyline_viewshed.core.base.declination import declination_deg
+from skyline_viewshed.core.base.errors import TerrainError, UnusableDemError
 from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, orient_request
-from skyline_viewshed.core.camera import project
-from skyline_viewshed.core.declination import declination_deg
-from skyline_viewshed.core.errors import TerrainError, UnusableDemError
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
@@ -117,8 +117,8 @@ def test_photos_of_one_station_share_the_horizon(scene, dem):
 
 
 def test_the_cache_is_bounded(dem, scene):
-    from skyline_viewshed.core.horizon import HorizonOptions
-    from skyline_viewshed.core.terrain import Observer
+    from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.horizon.horizon import HorizonOptions
 
     cache = HorizonCache(size=2)
     options = HorizonOptions(azimuth_step_deg=30.0, max_distance_m=2000.0)

@@ -2,17 +2,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core import match_robust
-from skyline_viewshed.core.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
-from skyline_viewshed.core.errors import MissingMetadataError, ObserverOutsideDemError
-from skyline_viewshed.core.horizon import HorizonOptions
+from skyline_viewshed.core.base.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
+from skyline_viewshed.core.base.errors import MissingMetadataError, ObserverOutsideDemError
+from skyline_viewshed.core.base.model import Photo, PhotoMetadata
+from skyline_viewshed.core.base.terrain import Observer
+from skyline_viewshed.core.horizon.horizon import HorizonOptions
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.model import Photo, PhotoMetadata
+from skyline_viewshed.core.match import robust as match_robust
+from skyline_viewshed.core.paper.horizon import PaperHorizonOptions
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
-from skyline_viewshed.core.raycast_paper import PaperHorizonOptions
-from skyline_viewshed.core.skyline_given import evidence_from_line
-from skyline_viewshed.core.terrain import Observer
+from skyline_viewshed.core.skyline.given import evidence_from_line
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
 

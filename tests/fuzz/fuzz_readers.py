@@ -138,7 +138,7 @@ def reader(target):
 def photo_reader(path, blocked, pixels):
     for module in blocked:
         sys.modules[module] = None
-    from skyline_viewshed.core.errors import PhotoError
+    from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.io.photo import read_metadata, read_photo
 
     def read(content):
@@ -160,7 +160,7 @@ def photo_reader(path, blocked, pixels):
 
 
 def heif_reader(path):
-    from skyline_viewshed.core.io.heif_boxes import is_whole
+    from skyline_viewshed.core.io.formats import is_whole
 
     def read(content):
         path.write_bytes(content)
@@ -172,9 +172,9 @@ def heif_reader(path):
 
 def mask_reader(path):
     import numpy as np
-    from skyline_viewshed.core.errors import PhotoError
+    from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.io.photo import read_photo
-    from skyline_viewshed.core.skyline_given import evidence_from_mask
+    from skyline_viewshed.core.skyline.given import evidence_from_mask
 
     def read(content):
         path.write_bytes(content)
@@ -190,9 +190,9 @@ def mask_reader(path):
 
 def table_reader(path):
     import numpy as np
-    from skyline_viewshed.core.errors import UnreadableFeaturesError
+    from skyline_viewshed.core.base.errors import UnreadableFeaturesError
+    from skyline_viewshed.core.base.pixel_features import for_photo
     from skyline_viewshed.core.io.features import read_features
-    from skyline_viewshed.core.pixel_features import for_photo
 
     def read(content):
         path.write_bytes(content)
@@ -211,9 +211,9 @@ def table_reader(path):
 
 def dem_reader(path):
     import numpy as np
-    from skyline_viewshed.core.errors import ObserverError, TerrainError
+    from skyline_viewshed.core.base.errors import ObserverError, TerrainError
+    from skyline_viewshed.core.base.terrain import Window
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.terrain import Window
 
     side_files = [path.with_name(path.name + end) for end in (".aux.xml", ".ovr", ".msk")]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from skyline_viewshed.core.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 
 
 def fractal(size, seed, relief_m=900.0, exponent=4.0):

@@ -2,7 +2,7 @@
 
 import numpy as np
 from reference.landscapes import stand
-from skyline_viewshed.core.viewshed import FullCircle, ViewshedOptions, viewshed
+from skyline_viewshed.core.viewshed.viewshed import FullCircle, ViewshedOptions, viewshed
 
 UNKNOWN = 255
 

@@ -14,17 +14,17 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 from publish import save_small
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.model import PhotoMetadata
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.batch import PhotoRequest, orient_request
-from skyline_viewshed.core.camera import Camera, Pose, focal_from_35mm_px
-from skyline_viewshed.core.draw_raster import draw_words
-from skyline_viewshed.core.figures_overlay import overlay_image
+from skyline_viewshed.core.figures.overlay import overlay_image
+from skyline_viewshed.core.figures.raster import draw_words
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
-from skyline_viewshed.core.model import PhotoMetadata
-from skyline_viewshed.core.render import render_view
-from skyline_viewshed.core.render_detail import DetailedTerrain
-from skyline_viewshed.core.render_scene import clean_scene
-from skyline_viewshed.core.terrain import Observer
+from skyline_viewshed.core.simulate.render import render_view
+from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.demo.detail import DetailedTerrain
 
 WIDTH, HEIGHT = 720, 480
 CAPTION = 62

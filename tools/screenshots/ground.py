@@ -1,7 +1,7 @@
 """The look of the ground as second evidence: docs/images/ground.png.
 
 A simulated photograph, and what the DEM's slopes, distance and height explain of it at the right heading and at a
-wrong one, as `core/match_ground.py` weighs it.
+wrong one, as `core/match/ground.py` weighs it.
 
 Usage: ground.py SAMPLE TARGET
 """
@@ -15,15 +15,15 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 from publish import save_small
-from skyline_viewshed.core.camera import Pose, unproject
-from skyline_viewshed.core.draw_raster import draw_words
-from skyline_viewshed.core.inner_terrain import inner_terrain
+from skyline_viewshed.core.base.camera import Pose, unproject
+from skyline_viewshed.core.base.imaging import thumbnail
+from skyline_viewshed.core.base.terrain import Observer
+from skyline_viewshed.core.figures.raster import draw_words
+from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.match_ground import GroundEvidence
+from skyline_viewshed.core.match.ground import GroundEvidence
 from skyline_viewshed.core.pipeline import camera_prior
-from skyline_viewshed.core.terrain import Observer
-from skyline_viewshed.core.thumbnail import thumbnail
 
 SHOT = "morning"
 """Photograph of the sample that is shown."""

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from skyline_viewshed.core.errors import TerrainError
+from skyline_viewshed.core.base.errors import TerrainError
 from skyline_viewshed.core.io.crs import (
     Transformer,
     from_wgs84,

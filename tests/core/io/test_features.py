@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.errors import UnreadableFeaturesError
+from skyline_viewshed.core.base.errors import UnreadableFeaturesError
+from skyline_viewshed.core.base.pixel_features import PixelFeature, downward, for_photo
 from skyline_viewshed.core.io.features import read_features
-from skyline_viewshed.core.pixel_features import PixelFeature, downward, for_photo
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA, focal_from_35mm_px
+from skyline_viewshed.core.base.camera import DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA, focal_from_35mm_px
 from skyline_viewshed.core.io.metadata import interpret
 
 NAN = float("nan")

@@ -12,19 +12,19 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.batch import LandmarkHint, PhotoRequest
-from skyline_viewshed.core.camera import Camera, Pose
-from skyline_viewshed.core.horizon_model import HorizonProfile
-from skyline_viewshed.core.io import orientation_file
-from skyline_viewshed.core.io.orientation_file import orientation_mark, packed, unpacked
-from skyline_viewshed.core.model import (
+from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.model import (
     Candidate,
+    HorizonProfile,
     Orientation,
     OrientedPhoto,
     PhotoMetadata,
     Skyline,
     SkylineEvidence,
 )
+from skyline_viewshed.core.batch import LandmarkHint, PhotoRequest
+from skyline_viewshed.core.io import orientation_file
+from skyline_viewshed.core.io.orientation_file import orientation_mark, packed, unpacked
 from skyline_viewshed.core.pipeline import OrientOptions
 
 MARK = "0123456789abcdef"

@@ -8,12 +8,12 @@ import zlib
 import numpy as np
 import pytest
 from PIL import Image, ImageOps
-from skyline_viewshed.core.errors import SkylineViewshedError, UnreadablePhotoError
-from skyline_viewshed.core.imaging import shrink
+from skyline_viewshed.core.base.errors import SkylineViewshedError, UnreadablePhotoError
+from skyline_viewshed.core.base.imaging import shrink
+from skyline_viewshed.core.base.optional import available
 from skyline_viewshed.core.io import photo as photo_module
 from skyline_viewshed.core.io import pixels as pixels_module
 from skyline_viewshed.core.io.photo import list_photos, read_metadata, read_photo
-from skyline_viewshed.core.optional import available
 
 PILLOW = ("PIL", "PIL.Image", "PIL.JpegImagePlugin")
 

@@ -13,7 +13,7 @@ BOMBS = """
 import struct, sys, zlib
 from pathlib import Path
 from osgeo import gdal
-from skyline_viewshed.core.errors import PhotoError
+from skyline_viewshed.core.base.errors import PhotoError
 from skyline_viewshed.core.io.photo import read_metadata, read_photo
 
 folder = Path(sys.argv[1])

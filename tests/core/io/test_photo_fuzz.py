@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 from PIL.TiffImagePlugin import IFDRational
-from skyline_viewshed.core.errors import PhotoError
+from skyline_viewshed.core.base.errors import PhotoError
 from skyline_viewshed.core.io.photo import read_metadata, read_photo
 
 SECONDS = 20

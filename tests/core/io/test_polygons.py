@@ -6,12 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from osgeo import gdal, ogr, osr
 from reference.landscapes import summits, write_summits
-from skyline_viewshed.core.frame import tabulate_frame
+from skyline_viewshed.core.base.frame import tabulate_frame
+from skyline_viewshed.core.base.terrain import Observer, Window
 from skyline_viewshed.core.io import polygons
 from skyline_viewshed.core.io.polygons import viewshed_polygons
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Observer, Window
-from skyline_viewshed.core.viewshed import PackedSink, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.viewshed.viewshed import PackedSink, ViewshedOptions, Wedge, viewshed
 
 CELL_M = 10.0
 

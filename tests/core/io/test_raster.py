@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from rasters import make_tif, whole
+from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Window
 
 
 @pytest.mark.parametrize("dtype", ["int16", "int32", "float32", "float64"])

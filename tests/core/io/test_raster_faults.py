@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rasters import make_tif, whole
-from skyline_viewshed.core.errors import UnusableDemError
+from skyline_viewshed.core.base.errors import UnusableDemError
+from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import Window
 
 
 def test_what_is_no_dem_is_refused_in_a_sentence(tmp_path, hills):

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rasters import make_tif
-from skyline_viewshed.core.errors import ObserverOutsideDemError
+from skyline_viewshed.core.base.errors import ObserverOutsideDemError
+from skyline_viewshed.core.base.terrain import ground_elevation_m
 from skyline_viewshed.core.io.crs import from_wgs84
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.terrain import ground_elevation_m
 
 
 def vincenty_direct(longitude_deg, latitude_deg, azimuth_deg, distance_m):

@@ -4,11 +4,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from reference.landscapes import summits, write_summits
-from skyline_viewshed.core.camera import Camera, Pose
+from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.viewshed_raster import fingerprint, read_viewshed, viewshed_once
-from skyline_viewshed.core.terrain import Observer
-from skyline_viewshed.core.viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.viewshed.viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
 
 CENTRE = (-149.5, 61.1)
 OPTIONS = ViewshedOptions(max_distance_m=5_000.0)

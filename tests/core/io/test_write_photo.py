@@ -6,10 +6,10 @@ from datetime import datetime
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.errors import MissingPackageError, OutputError
+from skyline_viewshed.core.base.errors import MissingPackageError, OutputError
+from skyline_viewshed.core.base.model import PhotoMetadata
 from skyline_viewshed.core.io.photo import read_metadata, read_photo
 from skyline_viewshed.core.io.write_photo import write_photo
-from skyline_viewshed.core.model import PhotoMetadata
 
 HEIF = pytest.mark.skipif(sys.modules.get("pillow_heif", 0) is None, reason="pillow-heif is blocked")
 

@@ -5,11 +5,11 @@ import os
 import numpy as np
 import pytest
 from osgeo import gdal
-from skyline_viewshed.core.errors import OutputError
+from skyline_viewshed.core.base.errors import OutputError
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Window
 from skyline_viewshed.core.io import write_raster as module
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_raster import new_raster, write_dem, write_raster
-from skyline_viewshed.core.terrain import ArrayTerrain, Window
 
 
 @pytest.fixture

@@ -1,0 +1,81 @@
+"""The DEM parameter: from the raster layer that QGIS knows to the terrain that the core reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsRasterLayer
+
+from ...core.base.errors import TerrainError
+from .i18n import tr
+
+
+@dataclass(frozen=True)
+class DemSource:
+    """What must be known of the DEM outside QGIS's main thread.
+
+    Attributes
+    ----------
+    path : str
+        As GDAL opens it.
+    band : int
+        From 1.
+    crs : QgsCoordinateReferenceSystem
+        As QGIS has it.
+    assigned : str or None
+        WKT of that, where the user has assigned it in place of the file's own.
+    """
+
+    path: str
+    band: int
+    crs: QgsCoordinateReferenceSystem
+    assigned: str | None = None
+
+    def open(self):
+        """Open it as the core's `Dem`; raises `TerrainError`."""
+        from ...core.io.raster import open_dem
+
+        return open_dem(self.path, self.band, self.assigned)
+
+
+def dem_source(algorithm, parameters, context, name="DEM", band="BAND"):
+    """Describe the DEM that the user chose.
+
+    Raises
+    ------
+    QgsProcessingException
+    """
+    layer = algorithm.parameterAsRasterLayer(parameters, name, context)
+    fault = layer_fault(layer)
+    if fault:
+        raise QgsProcessingException(fault)
+    number = max(algorithm.parameterAsInt(parameters, band, context), 1)
+    return DemSource(layer.source(), number, layer.crs(), assigned_crs(layer))
+
+
+def assigned_crs(layer):
+    """WKT of the layer's CRS where it is not the one that its file says, else None."""
+    own = QgsRasterLayer(layer.source(), "own", "gdal").crs()
+    if not layer.crs().isValid() or layer.crs() == own:
+        return None
+    return layer.crs().toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)
+
+
+def dem_fault(algorithm, parameters, context, name="DEM", band="BAND"):
+    """Sentence on why the DEM cannot serve, or None; opens it, which costs milliseconds."""
+    try:
+        dem_source(algorithm, parameters, context, name, band).open()
+    except (QgsProcessingException, TerrainError) as error:
+        return str(error)
+    return None
+
+
+def layer_fault(layer):
+    """Sentence on what is wrong with the layer itself, or None."""
+    if layer is None or not layer.isValid():
+        return tr("The elevation model cannot be read. Choose a raster file with heights.")
+    if layer.providerType() != "gdal":
+        return tr(
+            "The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that."
+        ).format(provider=layer.providerType())
+    return None

@@ -1,0 +1,164 @@
+"""Map features in the pixels of one photo after the other."""
+
+from __future__ import annotations
+
+import numpy as np
+from qgis.core import QgsGeometry, QgsPointXY, QgsProcessingException
+
+from .fields import FieldSpec, is_null
+from .i18n import tr
+from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+
+AREA_SAMPLE_PX = 6.0
+"""Net in which an area is asked for its visible share, at its nearest point [pixels]."""
+
+
+def _common_specs():
+    return [
+        FieldSpec("photo", "text", tr("Photo")),
+        FieldSpec("feature_id", "whole", tr("Map feature")),
+        FieldSpec("name", "text", tr("Name")),
+        FieldSpec("state", "text", tr("visible, hidden, outside the frame, unknown")),
+    ]
+
+
+def point_specs():
+    """Fields of points in pictures."""
+    return [
+        *_common_specs(),
+        FieldSpec("x_px", "real", tr("Column (px)")),
+        FieldSpec("y_px", "real", tr("Row (px)")),
+        FieldSpec("dist_m", "real", tr("Distance from the camera (m)")),
+        FieldSpec("azimuth", "real", tr("Azimuth (° from true north)")),
+        FieldSpec("elev_deg", "real", tr("Elevation angle (°)")),
+        FieldSpec("z", "real", tr("Elevation (m)")),
+    ]
+
+
+def line_specs():
+    """Fields of lines and outlines in pictures."""
+    return [
+        *_common_specs(),
+        FieldSpec("part", "whole", tr("Line or ring of the feature")),
+        FieldSpec("from_share", "real", tr("Begins at this share of its length")),
+        FieldSpec("to_share", "real", tr("Ends at this share of its length")),
+        FieldSpec("dist_min", "real", tr("Nearest distance (m)")),
+        FieldSpec("dist_max", "real", tr("Farthest distance (m)")),
+        FieldSpec("vis_share", "real", tr("Share of the whole feature that is visible")),
+    ]
+
+
+class ImageFeatures:
+    """Collects rows for the outputs.
+
+    Parameters
+    ----------
+    terrain : core.io.raster.Dem
+    source : QgsProcessingFeatureSource
+    dem_crs : QgsCoordinateReferenceSystem
+    context : QgsProcessingContext
+    name_field : str
+    options : SightOptions
+    height_above_m, step_px : float
+    """
+
+    def __init__(self, terrain, source, dem_crs, context, name_field, options, height_above_m, step_px):
+        self.terrain, self.options, self.height_above_m, self.step_px = terrain, options, height_above_m, step_px
+        self.points, self.lines, self.visible_count = [], [], 0
+        transform = to_dem_transform(source.sourceCrs(), dem_crs, context)
+        self._features = []
+        for feature in source.getFeatures():
+            geometry = transformed(feature.geometry(), transform)
+            if geometry is not None:
+                called = feature[name_field] if name_field else None
+                self._features.append((feature.id(), "" if is_null(called) else str(called), geometry))
+        if not self._features:
+            raise QgsProcessingException(tr("The map features are empty, or lie where the DEM's CRS does not reach."))
+
+    def add(self, photo):
+        """Project all features into one photo; gives named points and strokes for its picture."""
+        named, strokes = [], []
+        for identifier, name, geometry in self._features:
+            kind = kind_of(geometry)
+            if kind == "point":
+                named += self._add_points(photo, identifier, name, geometry)
+            else:
+                strokes += self._add_lines(photo, identifier, name, geometry, kind)
+        return named, strokes
+
+    def _local(self, photo, x, y):
+        return local_of_map(self.terrain, photo.view.frame, x, y)
+
+    def _add_points(self, photo, identifier, name, geometry):
+        from ...core.figures.annotate import NamedPoint
+        from ...core.mapping.projecting import STATE_NAMES, VISIBLE, project_places
+
+        x, y, _ = places_of(geometry, "point")[0]
+        shown = project_places(
+            self.terrain, photo.view, *self._local(photo, x, y), height_above_m=self.height_above_m,
+            options=self.options,
+        )  # fmt: skip
+        marks = []
+        for k in range(x.size):
+            at = number(shown.x_px[k]), number(shown.y_px[k])
+            values = [photo.path or photo.name, identifier, name, STATE_NAMES[int(shown.state[k])], *at]
+            values += [number(v[k]) for v in (shown.distance_m, shown.azimuth_deg, shown.elevation_deg)]
+            values.append(number(shown.elevation_m[k]))
+            geometry = None if None in at else QgsGeometry.fromPointXY(_on_picture(*at))
+            self.points.append((geometry, values))
+            if shown.state[k] == VISIBLE:
+                self.visible_count += 1
+                marks.append(NamedPoint(name or str(identifier), *at))
+        return marks
+
+    def _add_lines(self, photo, identifier, name, geometry, kind):
+        from ...core.figures.annotate import Stroke
+        from ...core.mapping.projecting import HIDDEN, STATE_NAMES, VISIBLE, project_line
+
+        parts = [self._local(photo, x, y) for x, y, _ in places_of(geometry, kind)]
+        runs = [
+            (part, run)
+            for part, (east, north) in enumerate(parts)
+            for run in project_line(self.terrain, photo.view, east, north, None, self.step_px, self.options)
+        ]
+        share = self._visible_area(photo, parts) if kind == "polygon" else _visible_length(parts, runs)
+        strokes = []
+        for part, run in runs:
+            values = [photo.path or photo.name, identifier, name, STATE_NAMES[run.state], part, *run.share]
+            values += [number(run.distance_m.min()), number(run.distance_m.max()), number(share)]
+            self.lines.append((_line_geometry(run), values))
+            self.visible_count += run.state == VISIBLE
+            if run.state in (VISIBLE, HIDDEN):
+                strokes.append(Stroke(run.x_px, run.y_px, run.state == VISIBLE))
+        return strokes
+
+    def _visible_area(self, photo, rings):
+        from ...core.mapping.projecting import project_places, sample_area
+
+        nearest = min(float(np.hypot(east, north).min()) for east, north in rings)
+        spacing = max(AREA_SAMPLE_PX * nearest / photo.view.camera.focal_px, 0.5 * photo.view.frame.cell_m)
+        east, north = sample_area(rings, spacing)
+        if not east.size:
+            return np.nan
+        return project_places(self.terrain, photo.view, east, north, options=self.options).visible.mean()
+
+
+def _visible_length(parts, runs):
+    from ...core.mapping.projecting import VISIBLE
+
+    lengths = [float(np.hypot(np.diff(east), np.diff(north)).sum()) for east, north in parts]
+    total = sum(lengths)
+    seen = sum((run.share[1] - run.share[0]) * lengths[part] for part, run in runs if run.state == VISIBLE)
+    return seen / total if total else np.nan
+
+
+def _on_picture(x_px, y_px):
+    """Place on the picture as QGIS shows it: from the corner, y negative downwards."""
+    return QgsPointXY(x_px + 0.5, -(y_px + 0.5))
+
+
+def _line_geometry(run):
+    known = np.isfinite(run.x_px) & np.isfinite(run.y_px)
+    if known.sum() < 2:
+        return None
+    return QgsGeometry.fromPolylineXY([_on_picture(x, y) for x, y in zip(run.x_px[known], run.y_px[known])])

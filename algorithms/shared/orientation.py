@@ -1,0 +1,195 @@
+"""Orienting the photographs of a layer: the parameters, the requests, the loop. Two algorithms share it."""
+
+from __future__ import annotations
+
+import traceback
+from pathlib import Path
+
+from qgis.core import QgsProcessingParameterBoolean
+
+from ...core.base.errors import Cancelled, OutputError, TerrainError
+from ...core.base.progress import checkpoint, subtask
+from ...core.horizon.horizon import HorizonOptions
+from . import parameters as shared
+from .feedback import FeedbackProgress, announce, warn
+from .fields import joined_fields, number_or_none
+from .i18n import marked, tr
+from .kept_orientations import KeptOrientations
+from .oriented import oriented_specs, oriented_values
+from .rescue import Rescue
+
+NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
+LENS_FIELDS = ("hfov", "vfov")
+DEFAULT_TOLERANCE_DEG = 20.0
+
+
+def add_field_parameters(algorithm):
+    """Declare the fields that may replace what the file or the DEM say."""
+    algorithm.addParameter(
+        shared.advanced(
+            shared.number_field(
+                "HFOV_FIELD",
+                tr("Field with the horizontal field of view (°)"),
+                tr("Of the upright picture, across its middle. NULL: from the focal length in the file."),
+            )
+        )
+    )
+    algorithm.addParameter(
+        shared.advanced(
+            shared.number_field(
+                "HEIGHT_FIELD",
+                tr("Field with the camera's elevation (m)"),
+                tr("Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height."),
+            )
+        )
+    )
+
+
+def add_terrain_parameters(algorithm):
+    """Declare camera height, range and refraction."""
+    defaults = HorizonOptions()
+    for parameter in (
+        shared.eye_height(),
+        shared.max_distance(defaults.max_distance_m, shared.horizon_distance_text()),
+        shared.refraction(defaults.refraction_coefficient),
+    ):
+        algorithm.addParameter(shared.advanced(parameter))
+
+
+def add_altitude_parameter(algorithm):
+    """Declare whether the recorded altitude is trusted."""
+    parameter = QgsProcessingParameterBoolean("USE_ALTITUDE", tr("Camera at the recorded altitude"), False)
+    text = tr(
+        "For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, "
+        "and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
+
+
+def oriented_out(name="OUTPUT"):
+    """Layer of oriented photographs."""
+    return shared.points_out(
+        name,
+        tr("Oriented photos"),
+        text=tr(
+            "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure "
+            "they are, status and message."
+        ),
+    )
+
+
+def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
+    """Options of the core from the parameters; `horizon_distance` names the one with the search range."""
+    from ...core.pipeline import OrientOptions
+
+    horizon = HorizonOptions(
+        max_distance_m=algorithm.parameterAsDouble(parameters, horizon_distance, context),
+        refraction_coefficient=algorithm.parameterAsDouble(parameters, "REFRACTION", context),
+    )
+    return OrientOptions(
+        method=shared.METHODS[algorithm.parameterAsEnum(parameters, "METHOD", context)],
+        compass=shared.COMPASS_USES[algorithm.parameterAsEnum(parameters, "COMPASS", context)],
+        horizon=horizon,
+    )
+
+
+def requests_of(algorithm, parameters, context, rows):
+    """One `PhotoRequest` per row; None where the row names no photo."""
+    rescue = Rescue(algorithm, parameters, context)
+    eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+    use_altitude = algorithm.parameterAsBoolean(parameters, "USE_ALTITUDE", context)
+    return [None if row.path is None else request_of(row, rescue, eye_height_m, use_altitude) for row in rows]
+
+
+def request_of(row, rescue, eye_height_m, use_altitude):
+    """What is known of one photo."""
+    from ...core.batch import PhotoRequest
+
+    tolerance = row.numbers.get("TOLERANCE_FIELD")
+    return PhotoRequest(
+        row.path,
+        longitude_deg=row.longitude_deg,
+        latitude_deg=row.latitude_deg,
+        eye_elevation_m=row.numbers.get("HEIGHT_FIELD"),
+        eye_height_m=eye_height_m,
+        use_altitude=use_altitude,
+        hfov_deg=row.numbers.get("HFOV_FIELD"),
+        heading_deg=row.numbers.get("HEADING_HINT_FIELD"),
+        heading_tolerance_deg=DEFAULT_TOLERANCE_DEG if tolerance is None else tolerance,
+        **rescue.of(row.path),
+    )
+
+
+def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), part_of_photo=1.0):
+    """Orient one request after the other and yield each `OrientedPhoto`.
+
+    `folder` is that of `KeptOrientations`, `share` the loop's of the progress bar, `part_of_photo` the orientation's of
+    each photo in it.
+
+    A photo's fault becomes a status and a warning; cancelling says how far the run came and raises `Cancelled`.
+    """
+    from ...core.batch import HorizonCache
+
+    cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
+    kept = KeptOrientations(folder, feedback)
+    for index, request in enumerate(requests):
+        name = tr("A point without a photo") if request is None else Path(request.path).name
+        announce(feedback, name, index, len(requests))
+        part = subtask(progress, index / len(requests), (index + part_of_photo) / len(requests))
+        try:
+            oriented = without_photo() if request is None else kept.orient(request, dem, options, cache, part)
+        except (TerrainError, OutputError):
+            raise
+        except Exception:  # our own fault, but no reason to lose the other photographs
+            oriented = unforeseen(request, feedback)
+        except Cancelled:
+            feedback.pushWarning(
+                tr("Cancelled after {done} of {count} photos.").format(done=index, count=len(requests))
+            )
+            raise
+        answer = oriented.orientation
+        if answer.status in ("failed", "rejected"):
+            warn(feedback, name, answer.message)
+        yield oriented
+    checkpoint(progress, 1.0)
+
+
+def unforeseen(request, feedback):
+    """Answer for a photo on which the program itself failed; the log gets the details."""
+    from ...core.base.model import Orientation, OrientedPhoto
+
+    feedback.pushDebugInfo(traceback.format_exc())
+    text = tr("An unforeseen fault of the program stopped this photo. Please report it with the log's details.")
+    return OrientedPhoto(request.path, Orientation("failed", text))
+
+
+def without_photo():
+    """Answer for a point whose path is NULL."""
+    from ...core.base.model import Orientation, OrientedPhoto
+
+    return OrientedPhoto("", Orientation("failed", tr("The point names no photo. Fill its path field.")))
+
+
+def oriented_row(row, kept, oriented, max_distance_m):
+    """Geometry and attributes of an output feature: what the source had, then ours."""
+    attributes = row.feature.attributes()
+    geometry = row.feature.geometry() if row.feature.hasGeometry() else None
+    ours = oriented_values(oriented, max_distance_m)
+    for index, spec in enumerate(oriented_specs()):
+        before = row.feature.fields().lookupField(spec.name)
+        if spec.name in LENS_FIELDS and ours[index] is None and before >= 0:
+            ours[index] = number_or_none(attributes[before])  # a photo that failed keeps what was known of its lens
+    return geometry, [attributes[index] for index in kept] + ours
+
+
+def oriented_fields(source):
+    """Fields of the output and the indices of the source's that stay."""
+    return joined_fields(source.fields(), oriented_specs())
+
+
+def summary(statuses):
+    """Counts by status, in a sentence."""
+    from ...core.report.facts import STATUSES, status_word
+
+    parts = [f"{statuses.count(status)} {status_word(status, marked)}" for status in STATUSES]
+    return tr("{count} photos: {parts}.").format(count=len(statuses), parts=", ".join(parts))

@@ -1,0 +1,204 @@
+"""Writing what a run has found: vector sinks, whole files, and the folders that outputs lie in."""
+
+from __future__ import annotations
+
+import os
+import re
+import secrets
+from contextlib import suppress
+from pathlib import Path
+
+from qgis.core import (
+    QgsFeature,
+    QgsFeatureSink,
+    QgsField,
+    QgsFields,
+    QgsProcessingException,
+    QgsProcessingOutputLayerDefinition,
+    QgsProperty,
+    QgsVectorLayer,
+)
+
+from ...core.base.errors import OutputError
+from ...core.io.whole_file import staged
+from .i18n import tr
+
+IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
+NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
+"""How destinations begin that are no plain path, as `memory:` or `postgis:`; a drive's name is one letter."""
+
+
+def write_features(algorithm, parameters, name, context, fields, geometry_type, crs, rows):
+    """Create the sink `name` and fill it.
+
+    The sink is made only now, when everything is known, so that a run that failed or was cancelled leaves none. A
+    file gets its name when it is whole; tables in databases and layers in memory are QGIS's to write.
+
+    Parameters
+    ----------
+    rows : list of (QgsGeometry or None, list)
+        Geometry and attributes.
+
+    Returns
+    -------
+    str or None
+        Identifier of the layer; None where an optional output is not wanted.
+
+    Raises
+    ------
+    QgsProcessingException
+        Not all could be written; a file that was begun is gone again.
+    """
+    given = _destination(parameters.get(name), context)
+    make_folder_of(given)
+    if given and given.startswith(IN_MEMORY):
+        fields = _without_aliases(fields)
+    kind = fields, geometry_type, crs
+    if not _is_plain_file(given):
+        return _written(algorithm, parameters, name, context, kind, rows)
+    path = Path(given).expanduser().absolute()
+    with staged(path) as stage:
+        elsewhere = {**parameters, name: _moved(parameters[name], str(stage / path.name))}
+        identifier = _written(algorithm, elsewhere, name, context, kind, rows, path)
+    # QGIS may have added a suffix, or the name of a layer in the file.
+    final = (str(path) if given.startswith("~") else given) + identifier[len(str(stage / path.name)) :]
+    _load_instead(context, identifier, final)
+    return final
+
+
+def _written(algorithm, parameters, name, context, kind, rows, path=None):
+    """Create the sink and fill it; `path` is what the user calls the file that QGIS writes elsewhere."""
+    fields, geometry_type, crs = kind
+    try:
+        sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
+    except QgsProcessingException as error:
+        if path is None:
+            raise
+        # "Could not create layer ...: Creation of data source failed (OGR error: ... failed: database or disk is full)"
+        raise unwritable(path, str(error).rsplit(": ", 1)[-1].rstrip(").") or str(error)) from error
+    if sink is None:
+        if parameters.get(name) is None:
+            return None
+        named = parameters if path is None else {**parameters, name: str(path)}
+        raise QgsProcessingException(algorithm.invalidSinkError(named, name))
+    written = _fill(sink, fields, rows)
+    del sink  # closes the file, and only then is it whole
+    if not written or (path is not None and not _holds(identifier, len(rows))):
+        raise QgsProcessingException(tr("{name} could not be written.").format(name=path or name))
+    return identifier
+
+
+def _holds(identifier, count):
+    """Whether a file has all features, as far as QGIS can read its format again; a full disk shows only here."""
+    layer = QgsVectorLayer(identifier, "written", "ogr")
+    if not layer.isValid():
+        return not identifier.lower().split("|")[0].endswith(".gpkg")
+    return not 0 <= layer.featureCount() < count
+
+
+def _destination(value, context):
+    """Text of a destination, which dialogs and models wrap; None where it is none."""
+    if isinstance(value, QgsProcessingOutputLayerDefinition):
+        value = value.sink
+    if isinstance(value, QgsProperty):
+        value, known = value.valueAsString(context.expressionContext())
+        return value if known else None
+    return value if isinstance(value, str) else None
+
+
+def _moved(value, path):
+    """Copy of a destination that points elsewhere and keeps what it says of format, layer's name and project."""
+    if not isinstance(value, QgsProcessingOutputLayerDefinition):
+        return path
+    value = QgsProcessingOutputLayerDefinition(value)
+    value.sink = QgsProperty.fromValue(path)
+    return value
+
+
+def _load_instead(context, old, new):
+    """Have QGIS load a layer from the place that its file has moved to."""
+    layers = context.layersToLoadOnCompletion()
+    if old in layers:
+        layers[new] = layers.pop(old)
+        context.setLayersToLoadOnCompletion(layers)
+
+
+def _fill(sink, fields, rows):
+    """Add all features; False where one is refused."""
+    for geometry, attributes in rows:
+        feature = QgsFeature(fields)
+        if geometry is not None:
+            feature.setGeometry(geometry)
+        feature.setAttributes(attributes)
+        if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
+            return False
+    return True
+
+
+def _without_aliases(fields):
+    """Copy of the fields; layers in memory hold no aliases, and QGIS 3.40 warns of each one that is lost."""
+    plain = QgsFields()
+    for field in fields:
+        copy = QgsField(field)
+        copy.setAlias("")
+        copy.setComment("")
+        plain.append(copy)
+    return plain
+
+
+def _is_plain_file(value):
+    """Whether a destination is a file of its own; no table in a database, no layer in memory, no older .gdb folder."""
+    return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
+
+
+def unused(stem, taken):
+    """File name without suffix that no earlier file of the run has; `taken` remembers the names in use."""
+    unique, number = stem, 1
+    while unique.lower() in taken:
+        number += 1
+        unique = f"{stem}_{number}"
+    taken.add(unique.lower())
+    return unique
+
+
+def make_folder_of(value):
+    """Make the folder that an output file will lie in; destinations that are no plain path are left alone.
+
+    Raises
+    ------
+    OutputError
+    """
+    if not isinstance(value, str) or not value or NO_FILE.match(value):
+        return
+    path = Path(value.split("|", 1)[0]).expanduser().absolute()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise unwritable(path, error) from None
+
+
+def write_whole(path, content):
+    """Write bytes or text under a temporary name and rename; the folder is made.
+
+    Raises
+    ------
+    OutputError
+    """
+    path = Path(path)
+    make_folder_of(str(path))
+    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
+    data = content.encode("utf-8") if isinstance(content, str) else content
+    try:
+        part.write_bytes(data)
+        os.replace(part, path)
+    except OSError as error:
+        raise unwritable(path, error) from None
+    finally:
+        with suppress(OSError):
+            part.unlink()
+
+
+def unwritable(path, error):
+    """Make the `OutputError` for a file from what the system, or QGIS, has said."""
+    reason = getattr(error, "strerror", None) or str(error)
+    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")

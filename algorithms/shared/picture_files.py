@@ -1,0 +1,51 @@
+"""Annotated pictures of a run: one PNG and one SVG per photo, each whole or not there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ...core.base.errors import MissingPackageError, PhotoError
+from .feedback import warn
+from .i18n import marked, tr
+from .outputs import unused, write_whole
+
+PREVIEW_PX = 1600
+
+
+class PictureFolder:
+    """Folder of annotated pictures; does nothing where the user wants none.
+
+    Parameters
+    ----------
+    folder : str
+        Empty for none.
+    """
+
+    def __init__(self, folder):
+        self.folder, self.count, self._taken = Path(folder) if folder else None, 0, set()
+
+    def stem(self, name):
+        """File name without suffix, not used before in this folder."""
+        stem = "".join(c if c.isalnum() or c in "-_. " else "_" for c in Path(name).stem) or "photo"
+        return unused(stem, self._taken)
+
+    def annotate(self, photo, points, strokes, feedback):
+        """Write one photo with its marks; a photo that cannot be read or drawn is warned of."""
+        if self.folder is None:
+            return
+        from ...core.figures.annotate import annotate, annotation_pixels, annotation_svg
+        from ...core.figures.raster import encode_png
+        from ...core.io.photo import read_photo
+
+        if not photo.path:
+            warn(feedback, photo.name, tr("The point names no photo, so there is no picture to draw on."))
+            return
+        try:
+            picture = read_photo(photo.path, PREVIEW_PX)
+            drawn = annotate(picture.pixels, picture.metadata.width_px, points, strokes)
+            stem = self.stem(photo.name)
+            write_whole(self.folder / f"{stem}.png", encode_png(annotation_pixels(drawn), quickly=True))
+            write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn, marked))
+            self.count += 1
+        except (PhotoError, MissingPackageError) as error:
+            warn(feedback, photo.name, str(error))

@@ -1,0 +1,106 @@
+"""The HTML report of a run: written photo by photo to a temporary file, appearing whole at the end."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+from qgis.core import Qgis
+
+from .core_sentences import in_users_language
+from .i18n import marked, tr
+from .outputs import make_folder_of
+
+
+class PhotoReport:
+    """Report of oriented photographs; a context manager, so that a failed or cancelled run leaves no file.
+
+    Parameters
+    ----------
+    algorithm, parameters, context
+        As in `processAlgorithm`; the report goes to the parameter `REPORT`, where that is wanted.
+    expected : int
+        How many photographs will come.
+    """
+
+    def __init__(self, algorithm, parameters, context, expected):
+        self.path = algorithm.parameterAsFileOutput(parameters, "REPORT", context)
+        self.title, self.expected = algorithm.displayName(), expected
+        self.facts = facts_of(algorithm, parameters, context)
+        self.software = software(algorithm)
+        self._stack, self._writer = ExitStack(), None
+
+    def __enter__(self):
+        if self.path:
+            from ...core.io.whole_file import ReportFile
+            from ...core.report.report import ReportWriter
+
+            make_folder_of(self.path)
+            writer = ReportWriter(
+                ReportFile(self.path),
+                self.title,
+                self.facts,
+                software=self.software,
+                created=datetime.now(),
+                expected_photos=self.expected,
+                say=marked,
+            )
+            self._writer = self._stack.enter_context(writer)
+        return self
+
+    def __exit__(self, *failure):
+        return self._stack.__exit__(*failure)
+
+    def add(self, oriented, extras=None, panels=None):
+        """Append the card of one photo."""
+        if self._writer is not None:
+            self._writer.add(in_readers_language(oriented), extras, panels)
+
+    def outputs(self):
+        """Give the output's name and path."""
+        return {"REPORT": self.path} if self.path else {}
+
+
+def in_readers_language(oriented):
+    """The photo with what the core says about it translated."""
+    answer = oriented.orientation
+    notes = tuple(map(in_users_language, answer.notes))
+    return replace(oriented, orientation=replace(answer, message=in_users_language(answer.message), notes=notes))
+
+
+def software(algorithm):
+    """Name and version of plugin and QGIS."""
+    provider = algorithm.provider()
+    ours = "Skyline Viewshed" if provider is None else provider.longName()
+    return f"{ours}, QGIS {Qgis.QGIS_VERSION}"
+
+
+def facts_of(algorithm, parameters, context):
+    """Labels and values of the run's parameters, as the report lists them."""
+    facts = {}
+    for definition in algorithm.parameterDefinitions():
+        if definition.isDestination():
+            continue
+        value = value_in_words(algorithm, definition, parameters, context)
+        if value:
+            facts[definition.description()] = value
+    return facts
+
+
+def value_in_words(algorithm, definition, parameters, context):
+    """Value of a parameter for a reader."""
+    name, kind = definition.name(), definition.type()
+    if kind == "enum":
+        return definition.options()[algorithm.parameterAsEnum(parameters, name, context)]
+    if kind in ("distance", "number"):
+        return f"{algorithm.parameterAsDouble(parameters, name, context):g}"
+    if kind == "boolean":
+        return tr("yes") if algorithm.parameterAsBoolean(parameters, name, context) else tr("no")
+    if kind in ("raster", "source", "vector"):
+        value = parameters.get(name)
+        return Path(value).name if isinstance(value, str) else getattr(value, "name", lambda: "")()
+    if kind in ("field", "file", "string"):
+        return algorithm.parameterAsString(parameters, name, context)
+    return str(algorithm.parameterAsInt(parameters, name, context)) if kind == "band" else ""

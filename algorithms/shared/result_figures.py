@@ -1,0 +1,181 @@
+"""The figure of each result in three panels: for the report, and as PNG files where the user names a folder."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from qgis.PyQt.QtCore import QDateTime
+
+from ...core.base.errors import MissingPackageError, OutputError, PhotoError
+from . import parameters as shared
+from .feedback import warn
+from .fields import is_null, number_or_none
+from .i18n import marked, tr
+from .outputs import write_whole
+from .picture_files import PictureFolder
+
+HEIGHT_PX = 480
+PREVIEW_PX = 1024
+PAUSE_S = 12 * 3600
+"""Photographs further apart in time belong to different ways [s]."""
+
+
+def figures_out(name="FIGURES"):
+    """Folder for the figures."""
+    text = tr("PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, "
+              "where the points carry a timestamp, the way walked.")  # fmt: skip
+    return shared.advanced(shared.folder_out(name, tr("Folder for one figure per photo"), text))
+
+
+@dataclass(frozen=True)
+class Station:
+    """Where and when a photograph was taken.
+
+    Attributes
+    ----------
+    longitude_deg, latitude_deg : float
+        WGS 84 [degrees].
+    time_s : float or None
+        Since any epoch, by the camera's clock [s].
+    """
+
+    longitude_deg: float
+    latitude_deg: float
+    time_s: float | None = None
+
+
+def stations_of(rows):
+    """Stations of `PointRow`s; without a usable geometry their attributes longitude and latitude serve."""
+    found = []
+    for row in rows:
+        place = row.longitude_deg, row.latitude_deg
+        if None in place:
+            place = tuple(number_or_none(_value(row.feature, name)) for name in ("longitude", "latitude"))
+        if None not in place and place != (0, 0):
+            found.append(Station(*place, _seconds(_value(row.feature, "timestamp"))))
+    return found
+
+
+def _value(feature, name):
+    index = feature.fields().lookupField(name)
+    return None if index < 0 or is_null(feature[index]) else feature[index]
+
+
+def _seconds(value):
+    if isinstance(value, QDateTime):
+        return value.toMSecsSinceEpoch() / 1000 if value.isValid() else None
+    try:
+        return datetime.fromisoformat(value).timestamp() if isinstance(value, str) else None
+    except ValueError:
+        return None
+
+
+class ResultFigures:
+    """Draws results; does nothing where neither report nor folder is wanted.
+
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    folder : str
+        For the PNG files; empty for none.
+    stations : list of Station
+        Of all photographs, for the way between them.
+    feedback : QgsProcessingFeedback
+    for_report : bool
+        The panels are wanted even without a folder.
+    """
+
+    def __init__(self, dem, folder, stations, feedback, for_report=False):
+        self.dem, self.feedback, self.stations = dem, feedback, stations
+        self.files, self.wanted = PictureFolder(folder), bool(folder) or for_report
+
+    def draw(self, sight, viewshed, pixels=None):
+        """Give the panels as uint8 (h, w, 3) pixels, and write them to the folder; None where not wanted.
+
+        Parameters
+        ----------
+        sight : visibility.Sight
+        viewshed : core.viewshed.viewshed.Viewshed or KeptViewshed
+        pixels : uint8 (h, w, 3) array or None
+            The photograph; None reads a reduced copy of it.
+        """
+        if not self.wanted:
+            return None
+        from ...core.figures.ground import three_panels
+        from ...core.figures.raster import encode_png
+
+        try:
+            photo = self._photo(sight) if pixels is None else pixels
+            panels = three_panels(photo, self._map(sight, viewshed), HEIGHT_PX, say=marked)
+            if self.files.folder is not None:
+                self._write(sight, encode_png(panels, quickly=True))
+            return panels
+        except MissingPackageError as error:
+            warn(self.feedback, sight.name, str(error))
+            self.wanted = False
+            return None
+
+    def _write(self, sight, content):
+        path = self.files.folder / f"{self.files.stem(sight.name)}.png"
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(path, content)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise OutputError(
+                f"The file {path} cannot be written: {reason}. Choose another folder or free some space."
+            ) from None
+
+    def _photo(self, sight):
+        from ...core.io.photo import read_photo
+
+        if not sight.photo:
+            return None
+        try:
+            return read_photo(sight.photo, PREVIEW_PX).pixels
+        except PhotoError as error:
+            warn(self.feedback, sight.name, str(error))
+            return None
+
+    def _map(self, sight, viewshed):
+        from ...core.figures.ground import SeenGround, ground_map
+        from ...core.figures.map import MapObserver
+
+        frame = viewshed.frame
+        eye = MapObserver(frame.col_px, frame.row_px, sight.heading_deg, sight.hfov_deg)
+        others, track_px = self._surroundings()
+        seen = SeenGround(viewshed.window, viewshed.values)
+        return ground_map(self.dem, frame, seen, [eye, *others], track_px)
+
+    def _surroundings(self):
+        """The other stations as `MapObserver`s, and the way through them in pixels or None; made once."""
+        if not hasattr(self, "_made"):
+            self._made = self._place_stations()
+        return self._made
+
+    def _place_stations(self):
+        import numpy as np
+
+        from ...core.figures.map import MapObserver
+
+        if not self.stations:
+            return [], None
+        longitude, latitude = np.array([(s.longitude_deg, s.latitude_deg) for s in self.stations]).T
+        places = np.column_stack(self.dem.pixel_of(longitude, latitude))
+        known = np.isfinite(places).all(axis=1)
+        others = [MapObserver(*place, beside=True) for place in places[known].tolist()]
+        timed = [(s.time_s, place) for s, place in zip(self.stations, places.tolist()) if s.time_s is not None]
+        return others, way(sorted(timed)) if len(timed) > 1 else None
+
+
+def way(timed):
+    """(N, 2) pixels of (time [s], (col, row)) in order of time, with a gap at each long pause."""
+    import numpy as np
+
+    points = []
+    for index, (time_s, place) in enumerate(timed):
+        if index and time_s - timed[index - 1][0] > PAUSE_S:
+            points.append((np.nan, np.nan))
+        points.append(place)
+    return np.array(points, float)

@@ -1,0 +1,119 @@
+"""The photograph's own skyline as a limit: ground that its foreground hides is not claimed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from qgis.core import QgsProcessing, QgsProcessingParameterBoolean, QgsProcessingParameterFeatureSource
+
+from . import parameters as shared
+from .feedback import warn
+from .fields import is_null, number_or_none
+from .i18n import tr
+
+COLUMNS = ("photo", "column", "row")
+TOLERANCE_DEG = 0.3
+"""Errors of DEM and pose move a ridge by so much in the picture."""
+
+
+def add_table_parameters(algorithm):
+    """Declare the table of skylines and its tolerance."""
+    table = QgsProcessingParameterFeatureSource(
+        "SKYLINES", tr("Skylines of the photographs"), [QgsProcessing.SourceType.TypeVector], optional=True
+    )
+    text = tr(
+        "Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's "
+        "skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. "
+        "Columns with a confidence below 0.5 limit nothing. Needs the area photo frame."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(table, text)))
+    algorithm.addParameter(shared.advanced(tolerance()))
+
+
+def add_own_parameters(algorithm):
+    """Declare the choice to use the skyline that the orientation has found."""
+    own = QgsProcessingParameterBoolean("OWN_SKYLINE", tr("Foreground hides ground"), False)
+    text = tr(
+        "Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not "
+        "know, such as trees or houses, and is not claimed. Needs the area photo frame."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(own, text)))
+    algorithm.addParameter(shared.advanced(tolerance()))
+
+
+def tolerance():
+    """How far above the skyline ground may appear."""
+    return shared.number(
+        "SKYLINE_TOLERANCE",
+        tr("Tolerance above the skyline (°)"),
+        TOLERANCE_DEG,
+        tr("So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading."),
+        minimum=0.0,
+        maximum=45.0,
+    )
+
+
+def table_fault(algorithm, parameters, context):
+    """Sentence on a table of skylines that cannot serve, or None."""
+    source = algorithm.parameterAsSource(parameters, "SKYLINES", context)
+    if source is None:
+        return None
+    missing = [name for name in COLUMNS if source.fields().lookupField(name) < 0]
+    if not missing:
+        return None
+    return tr("The table of skylines has no field {field}. Choose the table that Extract skyline has written.").format(
+        field=missing[0]
+    )
+
+
+def with_table(algorithm, parameters, context, sights, feedback):
+    """Give the sights their skylines out of the table; as they are where there is no table."""
+    source = algorithm.parameterAsSource(parameters, "SKYLINES", context)
+    if source is None:
+        return sights
+    tolerance_deg = algorithm.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context)
+    lines, by_name = lines_of(source), {}
+    for photo in lines:
+        by_name.setdefault(Path(photo).name.lower(), []).append(photo)
+    limited = []
+    for sight in sights:
+        photo = sight.photo or ""
+        same_name = by_name.get(Path(photo).name.lower(), [])
+        key = photo if photo in lines else same_name[0] if len(same_name) == 1 else None
+        if key is None:
+            warn(feedback, sight.name, tr("The table of skylines does not know this photo: nothing is cut off."))
+        limited.append(sight if key is None else with_line(sight, *lines[key], tolerance_deg))
+    return limited
+
+
+def lines_of(source):
+    """(columns, rows, confidences) of each photo in a table [pixels]."""
+    lines, sure = {}, source.fields().lookupField("confidence")
+    for feature in source.getFeatures():
+        if is_null(feature["photo"]):
+            continue
+        confidence = 1.0 if sure < 0 else number_or_none(feature[sure])
+        values = number_or_none(feature["column"]), number_or_none(feature["row"]), confidence
+        if None not in values:
+            lines.setdefault(str(feature["photo"]), []).append(values)
+    return {photo: tuple(zip(*values)) for photo, values in lines.items()}
+
+
+def with_line(sight, columns, rows, confidence, tolerance_deg):
+    """Sight with a skyline that covers the picture's whole width, from whose columns the width follows."""
+    from ...core.viewshed.sector import skyline_rows
+
+    width_px = max(round(min(columns) + max(columns) + 1), 1)
+    row_px = skyline_rows(columns, rows, confidence, width_px)
+    return replace(sight, width_px=width_px, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
+
+
+def with_own(sight, oriented, tolerance_deg):
+    """Sight with the skyline that its orientation was found from; as it is where there is none."""
+    from ...core.base.overlay_lines import skyline_line
+
+    if oriented.skyline is None or oriented.camera is None:
+        return sight
+    line = skyline_line(oriented.skyline, oriented.camera.width_px, oriented.camera.height_px)
+    return with_line(sight, line.x_px, line.y_px, oriented.skyline.confidence, tolerance_deg)

@@ -1,0 +1,104 @@
+"""How our layers look when QGIS loads them: styles from `styles/`, aliases, layer metadata."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+
+from qgis.core import QgsProcessingLayerPostProcessorInterface
+
+from .legends import translate_legend, translated_style
+from .outputs import write_whole
+
+STYLES = Path(__file__).resolve().parents[2] / "styles"
+
+MOST_ALIVE = 200
+_ALIVE = []
+"""Post-processors in use. QGIS holds only a C++ pointer; without a Python reference they would be collected."""
+
+
+class LayerStyler(QgsProcessingLayerPostProcessorInterface):
+    """Dress one output layer after QGIS has loaded it; one instance per layer."""
+
+    def __init__(self, style, specs, title, method):
+        super().__init__()
+        self.style, self.specs, self.title, self.method = style, specs, title, method
+        self.facts, self.software = {}, ""
+
+    def postProcessLayer(self, layer, context, feedback):
+        """Apply style, aliases and metadata."""
+        style = STYLES / f"{self.style}.qml"
+        if style.exists():
+            message, loaded = layer.loadNamedStyle(str(style))
+            if not loaded:
+                feedback.pushWarning(message)
+            translate_legend(layer)
+        for spec in self.specs:
+            index = layer.fields().lookupField(spec.name)
+            if index >= 0:
+                layer.setFieldAlias(index, spec.alias)
+        layer.setMetadata(self._described(layer.metadata()))
+        layer.triggerRepaint()
+
+    def _described(self, metadata):
+        """Say in the layer's metadata how it came about: method, parameters, software."""
+        parameters = "\n".join(f"{label}: {value}" for label, value in self.facts.items())
+        metadata.setTitle(self.title)
+        metadata.setAbstract(f"{self.method}\n{parameters}".strip())
+        metadata.setKeywords({"gmd:topicCategory": ["elevation"], "skyline_viewshed": [self.style]})
+        if self.software:
+            metadata.setHistory([f"{datetime.now():%Y-%m-%d %H:%M} {self.method}, {self.software}"])
+        return metadata
+
+
+def style_on_completion(context, identifier, style, title, specs=(), method=""):
+    """Have the layer `identifier` dressed, if QGIS is going to load it.
+
+    Parameters
+    ----------
+    style : str
+        Of `styles/`; a name without a file leaves QGIS's own style.
+    title : str
+        For the layer's metadata.
+    specs : sequence of FieldSpec
+        Whose aliases the attributes get.
+    method : str
+        What made the layer.
+    """
+    if identifier is None or not context.willLoadLayerOnCompletion(identifier):
+        return
+    styler = LayerStyler(style, tuple(specs), title, method)
+    _ALIVE.append(styler)
+    del _ALIVE[:-MOST_ALIVE]
+    details = context.layerToLoadOnCompletionDetails(identifier)
+    details.setPostProcessor(styler)
+    if hasattr(details, "groupName"):  # from QGIS 3.32 on
+        details.groupName = "Skyline Viewshed"
+
+
+def dress_file(path, style):
+    """Write a style beside a raster that lies in a folder; QGIS takes it whenever that file is loaded.
+
+    A style that lies there already, perhaps the user's own, stays.
+
+    Parameters
+    ----------
+    path : str
+        Of the raster.
+    style : str
+        Of `styles/`.
+
+    Raises
+    ------
+    OutputError
+    """
+    target = Path(path).with_suffix(".qml")
+    if not target.exists():
+        write_whole(target, translated_style((STYLES / f"{style}.qml").read_text(encoding="utf-8")))
+
+
+def tell_provenance(context, facts, software):
+    """Give the parameters of the finished run to the layers that QGIS will load."""
+    for details in context.layersToLoadOnCompletion().values():
+        if isinstance(details.postProcessor(), LayerStyler):
+            details.postProcessor().facts, details.postProcessor().software = facts, software

@@ -1,0 +1,207 @@
+"""Computes viewsheds photo by photo, shares the work of photos from one place, and repeats nothing that is on disk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...core.base.errors import Cancelled, PhotoError
+from ...core.base.progress import checkpoint, subtask
+from .feedback import FeedbackProgress, announce, warn
+from .i18n import tr
+from .outputs import make_folder_of, unused
+from .styling import dress_file
+from .visibility import sector_of
+
+PACKED_CELLS = 500_000_000
+"""Viewsheds of more cells are held in two bits per cell."""
+
+SHARED_CELLS = 100_000_000
+"""Photos from one place are swept together in windows of up to so many cells, each of which then takes four bytes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """One photo's viewshed to come: what it depends on, and the file that keeps it (None: none)."""
+
+    sight: Any
+    observer: Any
+    sector: Any
+    path: str | None = None
+    mark: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class KeptViewshed:
+    """An earlier run's viewshed; see `core.viewshed.viewshed.Viewshed`."""
+
+    window: Any
+    values: Any
+    frame: Any
+    eye_elevation_m: float
+    options: Any
+    sector: Any
+
+
+class Viewer:
+    """Computes viewsheds, and keeps each in a file of its own where a folder is given.
+
+    A repeated run takes what an earlier one, perhaps killed, has finished there; a file of other settings or another
+    DEM is computed anew.
+
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    kind : str
+        Of `parameters.SECTORS`.
+    eye_height_m : float
+        Above the DEM, for sights without an elevation of their own [m].
+    options : ViewshedOptions
+    feedback : QgsProcessingFeedback
+    folder : str
+        For one GeoTIFF per photo; empty where not wanted.
+    """
+
+    def __init__(self, dem, kind, eye_height_m, options, feedback, folder=""):
+        self.dem, self.kind, self.eye_height_m, self.options = dem, kind, eye_height_m, options
+        self.feedback, self.folder, self._stems, self._taken_stems = feedback, folder, {}, set()
+
+    def each(self, sights, share=(0.0, 1.0)):
+        """Yield (sight, viewshed), each whole before the next; photos from one place come together."""
+        progress, done = subtask(FeedbackProgress(self.feedback), *share), 0
+        for group in stations(sights):
+            part = subtask(progress, done / len(sights), (done + len(group)) / len(sights))
+            jobs = [job for job in map(self._job, group) if job is not None]
+            results = self._work(jobs, part)
+            end = done + len(group)
+            try:
+                for job in jobs:
+                    announce(self.feedback, job.sight.name, done, len(sights))
+                    found = next(results)
+                    done += 1
+                    if found is not None:
+                        yield job.sight, found
+            except Cancelled:
+                text = tr("Cancelled after {done} of {count} viewsheds.")
+                self.feedback.pushWarning(text.format(done=done, count=len(sights)))
+                raise
+            done = end
+        checkpoint(progress, 1.0)
+
+    def view(self, sight, progress):
+        """Give one viewshed, or warn and give None."""
+        job = self._job(sight)
+        return None if job is None else next(self._work([job], progress))
+
+    def observer_of(self, sight):
+        """Where the camera of a sight stands."""
+        from ...core.base.terrain import Observer
+
+        return Observer(sight.longitude_deg, sight.latitude_deg, self.eye_height_m, sight.eye_elevation_m)
+
+    def file_of(self, sight, folder):
+        """Path of a photo's own GeoTIFF in a folder, which is made; of the same name in each folder."""
+        if sight.key not in self._stems:
+            self._stems[sight.key] = file_stem(sight, self._taken_stems)
+            self._taken_stems.add(self._stems[sight.key].lower())
+        path = str(Path(folder) / f"{self._stems[sight.key]}.tif")
+        make_folder_of(path)
+        return path
+
+    def _job(self, sight):
+        from ...core.io.viewshed_raster import fingerprint
+
+        sector = sector_of(sight, self.kind, self.feedback)
+        if sector is None:
+            return None
+        if sight.longitude_deg is None:
+            warn(self.feedback, sight.name, tr("The point has no usable position."))
+            return None
+        observer = self.observer_of(sight)
+        if not self.folder:
+            return Job(sight, observer, sector)
+        path = self.file_of(sight, self.folder)
+        return Job(sight, observer, sector, path, fingerprint(self.dem, observer, sector, self.options))
+
+    def _work(self, jobs, progress):
+        """Yield the viewshed of each of one place's jobs, or warn and yield None."""
+        from ...core.io.viewshed_raster import stored_facts
+
+        missing = [job for job in jobs if job.path is None or stored_facts(job.path, job.mark) is None]
+        fresh, fault = self._sweep(missing, progress), None
+        for job in jobs:
+            found = None if job in missing else self._taken(job)
+            if found is None and fault is None:
+                try:
+                    found = next(fresh if job in missing else self._sweep([job], progress))
+                    self._keep(job, found)
+                except PhotoError as error:  # what one place cannot do, it can do for none of its photos
+                    fault = error
+            if found is None:
+                warn(self.feedback, job.sight.name, str(fault))
+            yield found
+
+    def _sweep(self, jobs, progress):
+        """Yield the viewsheds of jobs at one place, by one sweep where its window is not too large."""
+        from ...core.viewshed.station import AnyOf, station_viewsheds
+        from ...core.viewshed.viewshed import FRAME_MARGIN, sector_window, viewshed
+
+        if len(jobs) > 1:
+            place = jobs[0].observer
+            reach_m = self.options.max_distance_m
+            frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * reach_m)
+            sectors = tuple(job.sector for job in jobs)
+            window = sector_window(frame, self.dem.shape, AnyOf(sectors), reach_m)
+            if window.rows * window.cols <= SHARED_CELLS:
+                yield from station_viewsheds(self.dem, place, sectors, self.options, progress)
+                return
+        for index, job in enumerate(jobs):
+            part = subtask(progress, index / len(jobs), (index + 1) / len(jobs))
+            yield viewshed(self.dem, job.observer, job.sector, self.options, part, sink_for)
+
+    def _keep(self, job, found):
+        from ...core.io.viewshed_raster import write_viewshed
+
+        if job.path is not None:
+            sight = job.sight
+            facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
+            write_viewshed(job.path, found, self.dem, job.mark, facts)
+            dress_file(job.path, "seen")
+
+    def _taken(self, job):
+        """What an earlier run has left, or None where it cannot be read after all."""
+        from ...core.base.terrain import eye_elevation_m
+        from ...core.io.viewshed_raster import read_viewshed
+        from ...core.viewshed.viewshed import FRAME_MARGIN
+
+        stored = read_viewshed(job.path, self.dem, job.mark, sink_for)
+        if stored is None:
+            return None
+        self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=job.sight.name, path=job.path))
+        dress_file(job.path, "seen")
+        place = job.observer
+        frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * self.options.max_distance_m)
+        eye_m = eye_elevation_m(self.dem, frame, place)
+        return KeptViewshed(stored.window, stored.values, frame, eye_m, self.options, job.sector)
+
+
+def sink_for(window):
+    """Give what holds the cells of a window: bytes, or two bits each where there are very many."""
+    from ...core.viewshed.viewshed import ArraySink, PackedSink
+
+    return (PackedSink if window.rows * window.cols > PACKED_CELLS else ArraySink)(window)
+
+
+def stations(sights):
+    """Groups of sights from exactly one place and height, in the order of their first."""
+    groups = {}
+    for sight in sights:
+        groups.setdefault((sight.longitude_deg, sight.latitude_deg, sight.eye_elevation_m), []).append(sight)
+    return list(groups.values())
+
+
+def file_stem(sight, taken):
+    """Name for a photo's own raster that is not yet taken."""
+    stem = Path(sight.photo).stem if sight.photo else f"point_{sight.source_id}"
+    return unused(stem, taken)

@@ -1,0 +1,265 @@
+"""What a viewshed can tell beyond seen and not seen: layers per cell, probabilities, what the DEM explains."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...core.base.errors import PhotoError
+from . import parameters as shared
+from .feedback import StillProgress, warn
+from .fields import FieldSpec
+from .i18n import tr
+from .styling import dress_file
+from .visibility import view_of
+
+LAYER_CELLS = 80_000_000
+"""Layers and probabilities of larger windows would take more memory than we promise: ten bytes per cell, a gigabyte."""
+
+HORIZON_STEP_DEG = 0.25
+LEVELS = {"p90_m2": 0.9, "p50_m2": 0.5}
+
+
+def add_extra_parameters(algorithm):
+    """Declare the smallest area, the folders of layers and probabilities, and what is not known exactly."""
+    parameters = [
+        shared.number(
+            "MIN_AREA",
+            tr("Smallest area (m²)"),
+            0.0,
+            tr("Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all."),
+            minimum=0.0,
+        ),
+        shared.folder_out(
+            "LAYERS",
+            tr("Folder for layers per photo"),
+            tr(
+                "One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the "
+                "line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is "
+                "known, column and row in the picture (px). Nodata outside the area and range."
+            ),
+        ),
+        shared.folder_out(
+            "PROBABILITIES",
+            tr("Folder for probabilities per photo"),
+            tr(
+                "One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors "
+                "below and the heading's interval. Needs the area photo frame; takes some five times as long."
+            ),
+        ),
+    ]
+    for parameter in (*parameters, *error_parameters()):
+        algorithm.addParameter(shared.advanced(parameter))
+
+
+def error_parameters():
+    """What is not known exactly, for probabilities."""
+    from ...core.viewshed.probability import ViewUncertainty
+
+    usual = ViewUncertainty()
+    return [
+        shared.distance(
+            "POSITION_ERROR",
+            tr("Error of positions (m)"),
+            usual.position_m,
+            tr("Standard deviation along each axis, for probabilities."),
+        ),
+        shared.distance(
+            "DEM_ERROR",
+            tr("Error of the DEM (m)"),
+            usual.dem_m,
+            tr("Standard deviation of a cell's height above what stands before it, for probabilities."),
+        ),
+        shared.number(
+            "PITCH_ERROR",
+            tr("Error of the pitch (°)"),
+            usual.pitch_deg,
+            tr("Standard deviation, for probabilities."),
+            minimum=0.0,
+            maximum=45.0,
+        ),
+        shared.number(
+            "ROLL_ERROR",
+            tr("Error of the roll (°)"),
+            usual.roll_deg,
+            tr("Standard deviation, for probabilities. It moves what lies far from the picture's middle."),
+            minimum=0.0,
+            maximum=45.0,
+        ),
+        shared.number(
+            "FOCAL_ERROR",
+            tr("Error of the focal length (%)"),
+            100 * usual.focal_relative,
+            tr("Standard deviation, for probabilities."),
+            minimum=0.0,
+            maximum=30.0,
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class ExtraOptions:
+    """Folders (empty: not wanted) and errors."""
+
+    layers: str
+    probabilities: str
+    position_m: float
+    dem_m: float
+    pitch_deg: float
+    roll_deg: float
+    focal_relative: float
+
+
+def extra_options(algorithm, parameters, context):
+    """Options from the parameters; asked once, as each question about a temporary folder gives another one."""
+    folders = [algorithm.parameterAsString(parameters, name, context) for name in ("LAYERS", "PROBABILITIES")]
+    names = ("POSITION_ERROR", "DEM_ERROR", "PITCH_ERROR", "ROLL_ERROR", "FOCAL_ERROR")
+    *errors, focal_percent = (algorithm.parameterAsDouble(parameters, name, context) for name in names)
+    return ExtraOptions(*folders, *errors, focal_percent / 100)
+
+
+def extra_fields():
+    """Fields that the polygons get."""
+    return [
+        FieldSpec("terr_share", "real", tr("Share of the picture that the DEM explains as ground")),
+        FieldSpec("p90_m2", "real", tr("Ground shown with a probability of 0.9 or more (m²)")),
+        FieldSpec("p50_m2", "real", tr("Ground shown with a probability of 0.5 or more (m²)")),
+    ]
+
+
+def layer_names():
+    """Names of the bands in the order of `core.viewshed.layers.LAYERS`."""
+    return [
+        tr("distance"),
+        tr("elevation angle"),
+        tr("height above the line of sight"),
+        tr("column in the photograph"),
+        tr("row in the photograph"),
+    ]
+
+
+class Extras:
+    """Computes and writes them, photo by photo; what a repeated run finds finished in a folder it does not repeat.
+
+    Parameters
+    ----------
+    viewer : Viewer
+    options : ExtraOptions
+    feedback : QgsProcessingFeedback
+    """
+
+    def __init__(self, viewer, options, feedback):
+        self.viewer, self.dem, self.options, self.feedback = viewer, viewer.dem, options, feedback
+        self._horizons, self._progress = {}, StillProgress(feedback)
+
+    @property
+    def folders(self):
+        """Folders that are written to, by the names of the parameters."""
+        found = {"LAYERS": self.options.layers, "PROBABILITIES": self.options.probabilities}
+        return {name: folder for name, folder in found.items() if folder}
+
+    def of(self, sight, seen, horizon=None):
+        """Write what is wanted for one viewshed; gives values of `extra_fields` by name, those not known left out.
+
+        Parameters
+        ----------
+        sight : Sight
+        seen : Viewshed or KeptViewshed
+        horizon : HorizonProfile or None
+            Around the sight, if it is there already.
+        """
+        too_large = seen.window.rows * seen.window.cols > LAYER_CELLS
+        if self.folders and too_large:
+            text = tr("No layers and probabilities: the area has more than {count} million cells. Take a shorter "
+                      "maximum distance.")  # fmt: skip
+            warn(self.feedback, sight.name, text.format(count=LAYER_CELLS // 1_000_000))
+        if self.options.layers and not too_large:
+            self._write_layers(sight, seen)
+        values = self._terrain_share(sight, seen, horizon)
+        if self.options.probabilities and not too_large:
+            values.update(self._write_probabilities(sight, seen))
+        return values
+
+    def _write_layers(self, sight, seen):
+        from ...core.io.viewshed_raster import fingerprint, stored_facts, write_layers
+        from ...core.viewshed.layers import LAYERS, clearance, sector_layers
+
+        camera, pose = view_of(sight)
+        observer = self.viewer.observer_of(sight)
+        path = self.viewer.file_of(sight, self.options.layers)
+        mark = fingerprint(self.dem, observer, seen.sector, seen.options, "layers", camera, pose)
+        if stored_facts(path, mark) is not None:
+            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+        else:
+            lifted = clearance(self.dem, observer, seen.sector, seen.options, self._progress)
+            strips = sector_layers(self.dem, seen, lifted, camera, pose)
+            bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
+            write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
+        dress_file(path, "layers")
+
+    def _terrain_share(self, sight, seen, horizon):
+        """Share of the frame that looks below the DEM's horizon."""
+        from ...core.horizon.horizon import HorizonOptions, horizon_profile
+        from ...core.viewshed.layers import terrain_share
+        from ...core.viewshed.sector import PhotoFrame
+
+        if not isinstance(seen.sector, PhotoFrame):
+            return {}
+        if horizon is None:
+            observer, range_ = self.viewer.observer_of(sight), seen.options
+            if observer not in self._horizons:
+                options = HorizonOptions(
+                    azimuth_step_deg=HORIZON_STEP_DEG,
+                    max_distance_m=range_.max_distance_m,
+                    refraction_coefficient=range_.refraction_coefficient,
+                )
+                # Photos from one place follow one another.
+                self._horizons = {observer: horizon_profile(self.dem, observer, options, self._progress)}
+            horizon = self._horizons[observer]
+        share, _ = terrain_share(seen.sector.camera, seen.sector.pose, horizon)
+        return {"terr_share": share}
+
+    def _write_probabilities(self, sight, seen):
+        from ...core.io.viewshed_raster import fingerprint, stored_facts, write_layers
+        from ...core.viewshed.probability import visibility_probability
+        from ...core.viewshed.sector import PhotoFrame
+
+        if not isinstance(seen.sector, PhotoFrame):
+            text = tr("No probabilities: they need the area photo frame, with pitch and vertical field of view.")
+            warn(self.feedback, sight.name, text)
+            return {}
+        camera, pose = seen.sector.camera, seen.sector.pose
+        observer, uncertainty = self.viewer.observer_of(sight), self._uncertainty(sight)
+        path = self.viewer.file_of(sight, self.options.probabilities)
+        mark = fingerprint(self.dem, observer, seen.sector, seen.options, "probabilities", uncertainty)
+        stored = stored_facts(path, mark)
+        if stored is not None:
+            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+            dress_file(path, "probability")
+            return {name: float(stored[name.upper()]) for name in LEVELS}
+        try:
+            found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, self._progress)
+        except PhotoError as error:
+            warn(self.feedback, sight.name, str(error))
+            return {}
+        areas = {name: found.area_m2(level) for name, level in LEVELS.items()}
+        facts = {"PHOTO": sight.photo or "", **{name.upper(): repr(area) for name, area in areas.items()}}
+        strips = [(found.window, [found.values])]
+        bands = {tr("probability that the photograph shows the cell"): "1"}
+        write_layers(path, self.dem, found.window, bands, strips, mark, facts)
+        dress_file(path, "probability")
+        return areas
+
+    def _uncertainty(self, sight):
+        from ...core.viewshed.probability import ViewUncertainty
+
+        given = self.options
+        errors = {
+            "pitch_deg": given.pitch_deg,
+            "roll_deg": given.roll_deg,
+            "focal_relative": given.focal_relative,
+            "position_m": given.position_m,
+            "dem_m": given.dem_m,
+        }
+        if sight.heading_lo_deg is None or sight.heading_hi_deg is None:
+            return ViewUncertainty(**errors)
+        return ViewUncertainty.from_interval(sight.heading_lo_deg, sight.heading_hi_deg, **errors)

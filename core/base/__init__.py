@@ -1,0 +1,1 @@
+"""What every room stands on: values, camera, terrain, angles, pictures, errors and progress."""

@@ -1,0 +1,54 @@
+"""Curves over a circle of headings, and how well two curves agree."""
+
+from __future__ import annotations
+
+import numpy as np
+
+SIDELOBE_EXCLUSION_DEG = 5.0
+"""Neighbourhood of the peak that is not counted among its sidelobes."""
+
+
+def row_ncc(image, seen):
+    """Equation 8 along the last axis, over the places where both are known; and equation 7."""
+    known = np.isfinite(seen)
+    count = np.maximum(known.sum(axis=-1), 1)
+    seen = np.where(known, seen, 0.0)
+    image = np.where(known, image, 0.0)
+    mean_seen, mean_image = seen.sum(axis=-1) / count, image.sum(axis=-1) / count
+    a = np.where(known, image - mean_image[..., None], 0.0)
+    b = np.where(known, seen - mean_seen[..., None], 0.0)
+    norm = np.sqrt(np.square(a).sum(axis=-1) * np.square(b).sum(axis=-1))
+    usable = (norm > 1e-9 * count) & (2 * count > seen.shape[-1])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(usable, (a * b).sum(axis=-1) / norm, np.nan), mean_seen - mean_image
+
+
+def correlation(a, b):
+    """NCC (equation 8) of two curves, or None where one is straight or both are short."""
+    if len(a) < 10:
+        return None
+    ncc, _ = row_ncc(np.asarray(a, float), np.asarray(b, float))
+    return float(ncc) if np.isfinite(ncc) else None
+
+
+def curve_peaks(heading_deg, curve, separation_deg):
+    """Indices of the curve's highest point and of further local maxima, at least `separation_deg` apart."""
+    filled = np.where(np.isfinite(curve), curve, -np.inf)
+    local = (filled >= np.roll(filled, 1)) & (filled >= np.roll(filled, -1)) & np.isfinite(curve)
+    order = np.flatnonzero(local)[np.argsort(-filled[local], kind="stable")]
+    kept = []
+    for index in order:
+        turn = np.abs((heading_deg[kept] - heading_deg[index] + 180) % 360 - 180) if kept else np.zeros(0)
+        if (turn >= separation_deg).all():
+            kept.append(int(index))
+    return kept
+
+
+def sharpness(heading_deg, curve, peak_deg):
+    """Peak-to-sidelobe ratio of a curve over the circle, or None where it has no sidelobes."""
+    away = np.abs((heading_deg - peak_deg + 180) % 360 - 180) > SIDELOBE_EXCLUSION_DEG
+    lobes = curve[away & np.isfinite(curve)]
+    if len(lobes) < 2 or lobes.std() == 0:
+        return None
+    peak = np.nanmax(np.where(away, np.nan, curve))
+    return float((peak - lobes.mean()) / lobes.std())

@@ -1,0 +1,240 @@
+"""Picture operations, by OpenCV where it is installed and by SciPy otherwise.
+
+The only module outside `core.io` that touches OpenCV. Every operation has a SciPy or NumPy twin that gives the same
+result to rounding (`tests/core/test_imaging.py`); OpenCV is only faster. Borders are mirrored about the edge
+pixel's centre unless said otherwise.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy import ndimage, sparse
+
+from . import imaging
+from .optional import available
+
+GREY_WEIGHTS = (9798, 19235, 3735)
+"""BT.601 luma weights in units of 2^-15, the fixed-point form that OpenCV rounds with."""
+
+SRGB_TO_XYZ = np.array(
+    [[0.412453, 0.357580, 0.180423], [0.212671, 0.715160, 0.072169], [0.019334, 0.119193, 0.950227]], np.float32
+)
+"""Linear sRGB to CIE XYZ, white point D65 (IEC 61966-2-1)."""
+
+MEDIAN_TILE_PX = 128
+LARGE = 90_000_000
+"""Values (30 megapixels in colour) above which a picture is shrunk in strips, to spare memory."""
+
+STRIP_PX = 32
+REMAP_LIMIT_PX = 32_767  # cv2.remap refuses any longer side
+
+
+def _cv2():
+    """OpenCV or None; the one seam at which tests take it away."""
+    return available("cv2")
+
+
+def to_grey(pixels):
+    """Luma of a uint8 (H, W, 3) RGB picture, uint8 (H, W), BT.601 in OpenCV's rounding."""
+    cv2 = _cv2()
+    if cv2:
+        return cv2.cvtColor(np.ascontiguousarray(pixels), cv2.COLOR_RGB2GRAY)
+    total = np.full(pixels.shape[:2], 1 << 14, np.int32)
+    for channel, weight in enumerate(GREY_WEIGHTS):
+        total += pixels[..., channel].astype(np.int32) * weight
+    return (total >> 15).astype(np.uint8)
+
+
+def rgb_to_lab(rgb):
+    """CIE L*a*b* (D65) of an sRGB picture.
+
+    Parameters
+    ----------
+    rgb : (..., 3) array
+        sRGB, 0 to 255, integer or float.
+
+    Returns
+    -------
+    (..., 3) float32 array
+        L* 0 to 100, a*, b*.
+    """
+    value = np.asarray(rgb, np.float32) / np.float32(255)
+    linear = np.where(value <= 0.04045, value / 12.92, ((np.maximum(value, 0) + 0.055) / 1.055) ** 2.4)
+    xyz = linear.astype(np.float32) @ (SRGB_TO_XYZ / SRGB_TO_XYZ.sum(1, keepdims=True)).T
+    root = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)
+    x, y, z = root[..., 0], root[..., 1], root[..., 2]
+    lightness = np.where(xyz[..., 1] > 0.008856, 116 * y - 16, 903.3 * xyz[..., 1])
+    return np.stack([lightness, 500 * (x - y), 200 * (y - z)], -1).astype(np.float32)
+
+
+def shrink(image, width_px, height_px):
+    """Resample a picture to a smaller one by exact area averaging, float32.
+
+    Parameters
+    ----------
+    image : (H, W) or (H, W, C) array, uint8 or float32
+    width_px, height_px : int
+        Of the result, neither larger than the picture's own.
+    """
+    height, width = image.shape[:2]
+    if not (1 <= width_px <= width and 1 <= height_px <= height):
+        raise ValueError(f"cannot shrink {width} x {height} to {width_px} x {height_px} pixels")
+    if (height_px, width_px) == (height, width):
+        return image.astype(np.float32)
+    cv2 = _cv2()
+    if cv2 and image.size <= LARGE:
+        # Rounding to whole grey levels would cost faint far ridges their edge, so bytes are not averaged as bytes.
+        return cv2.resize(image.astype(np.float32), (width_px, height_px), interpolation=cv2.INTER_AREA)
+    down, across = _area_weights(height, height_px), _area_weights(width, width_px)
+    out = np.empty((height_px, width_px) + image.shape[2:], np.float32)
+    for top in range(0, height_px, STRIP_PX):
+        # Strip by strip, so that a hundred megapixels are never held as floats at once.
+        weights = down[top : top + STRIP_PX]
+        first, last = weights.indices.min(), weights.indices.max() + 1
+        rows = weights[:, first:last] @ image[first:last].reshape(last - first, -1).astype(np.float32)
+        columns = rows.reshape(len(rows), width, -1).transpose(1, 0, 2).reshape(width, -1)
+        strip = (across @ columns).reshape(width_px, len(rows), -1).transpose(1, 0, 2)
+        out[top : top + STRIP_PX] = strip.reshape((len(rows), width_px) + image.shape[2:])
+    return out
+
+
+def shrink_to(image, long_side_px):
+    """Reduce a picture by `shrink` to a long side [pixels]; one that is smaller keeps its size."""
+    height, width = image.shape[:2]
+    factor = min(1.0, long_side_px / max(height, width))
+    return shrink(image, max(1, round(width * factor)), max(1, round(height * factor)))
+
+
+def _area_weights(size, size_out):
+    """(size_out, size) sparse matrix that averages each new pixel's span of old ones."""
+    edges = np.arange(size_out + 1) * (size / size_out)
+    cuts = np.unique(np.concatenate([edges, np.arange(size + 1)]))
+    middle, length = (cuts[1:] + cuts[:-1]) / 2, np.diff(cuts)
+    target = np.minimum((middle * size_out / size).astype(int), size_out - 1)
+    weights = sparse.coo_matrix(
+        (length * (size_out / size), (target, np.minimum(middle.astype(int), size - 1))), shape=(size_out, size)
+    )
+    return weights.tocsr().astype(np.float32)
+
+
+def gaussian_blur(image, sigma_px):
+    """Blur a float32 (H, W) or (H, W, C) picture by a Gaussian cut at four sigmas.
+
+    `sigma_px` is one number or (down, across) [pixels]; 0 leaves that direction alone.
+    """
+    down, across = np.broadcast_to(np.asarray(sigma_px, float), 2)
+    cv2 = _cv2()
+    if cv2:
+        size = (2 * int(4 * across + 0.5) + 1, 2 * int(4 * down + 0.5) + 1)
+        kernels = [cv2.getGaussianKernel(n, max(s, 1e-3), cv2.CV_32F) for n, s in zip(size, (across, down))]
+        return cv2.sepFilter2D(np.ascontiguousarray(image, np.float32), cv2.CV_32F, *kernels)
+    sigmas = (down, across) + (0,) * (image.ndim - 2)
+    return ndimage.gaussian_filter(image.astype(np.float32), sigmas, mode="mirror", truncate=4.0)
+
+
+def box_mean(image, width_px, height_px):
+    """Mean over a centred odd rectangle; uint8 pictures come back rounded to uint8, others float32."""
+    cv2 = _cv2()
+    if cv2:
+        image = image if image.dtype == np.uint8 else image.astype(np.float32)
+        return cv2.blur(np.ascontiguousarray(image), (width_px, height_px))
+    size = (height_px, width_px) + (1,) * (image.ndim - 2)
+    mean = ndimage.uniform_filter(image.astype(np.float64), size, mode="mirror")
+    return np.rint(mean).astype(np.uint8) if image.dtype == np.uint8 else mean.astype(np.float32)
+
+
+def median(image, size_px):
+    """Median over a centred odd square of a uint8 (H, W) picture, borders replicated."""
+    cv2 = _cv2()
+    if cv2:
+        return cv2.medianBlur(np.ascontiguousarray(image), size_px)
+    half = size_px // 2
+    padded = np.pad(image, half, mode="edge")
+    out = np.empty_like(image)
+    for top in range(0, image.shape[0], MEDIAN_TILE_PX):
+        for left in range(0, image.shape[1], MEDIAN_TILE_PX):
+            reach = MEDIAN_TILE_PX + 2 * half
+            tile = padded[top : top + reach, left : left + reach]
+            out[top : top + MEDIAN_TILE_PX, left : left + MEDIAN_TILE_PX] = _median_by_levels(tile, size_px)
+    return out
+
+
+def _median_by_levels(tile, size_px):
+    """Median of every full window of a tile: the number of grey levels that fewer than half its pixels reach."""
+    low, high = int(tile.min()), int(tile.max())
+    result = np.full((tile.shape[0] - size_px + 1, tile.shape[1] - size_px + 1), low, np.uint8)
+    for level in range(low, high):
+        count = np.zeros((tile.shape[0] + 1, tile.shape[1] + 1), np.int32)
+        count[1:, 1:] = (tile <= level).cumsum(0).cumsum(1)
+        inside = count[size_px:, size_px:] - count[:-size_px, size_px:] - count[size_px:, :-size_px]
+        result += (inside + count[:-size_px, :-size_px]) * 2 < size_px * size_px
+    return result
+
+
+def laplacian(image):
+    """Laplacian by the 4-neighbour kernel of a uint8 or float (H, W) picture, signed float32."""
+    cv2 = _cv2()
+    if cv2:
+        return cv2.Laplacian(np.ascontiguousarray(image), cv2.CV_32F, ksize=1)
+    return ndimage.laplace(image.astype(np.float32), mode="mirror")
+
+
+def erode(mask, width_px, height_px):
+    """Shrink the true part of a boolean (H, W) mask by a centred rectangle; the border itself erodes nothing."""
+    cv2 = _cv2()
+    if cv2:
+        return cv2.erode(mask.astype(np.uint8), np.ones((height_px, width_px), np.uint8)) > 0
+    return ndimage.minimum_filter(mask.astype(np.uint8), (height_px, width_px), mode="constant", cval=1) > 0
+
+
+def maximum_down(image, size_px):
+    """Largest value within a centred odd window along each column of a float32 (H, W) picture."""
+    cv2 = _cv2()
+    if cv2:
+        return cv2.dilate(np.ascontiguousarray(image, np.float32), np.ones((size_px, 1), np.uint8))
+    return ndimage.maximum_filter1d(image.astype(np.float32), size_px, axis=0, mode="nearest")
+
+
+def sample_bilinear(image, x_px, y_px, outside=0.0):
+    """Interpolate a float32 (H, W) picture at points of any shape; beyond the border it continues as `outside`.
+
+    NaN coordinates give `outside`.
+    """
+    finite = np.isfinite(x_px) & np.isfinite(y_px)
+    x = np.where(finite, x_px, -9.0).astype(np.float32)
+    y = np.where(finite, y_px, -9.0).astype(np.float32)
+    cv2 = _cv2()
+    if cv2 and x.ndim == 2 and max(image.shape + x.shape) < REMAP_LIMIT_PX:
+        image = np.ascontiguousarray(image, np.float32)
+        return cv2.remap(image, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=float(outside))
+    image = image.astype(np.float32)
+    return ndimage.map_coordinates(image, [y, x], order=1, mode="grid-constant", cval=float(outside))
+
+
+THUMBNAIL_PX = 64
+"""Long side: coarser than trees and gullies, fine enough for the faces of mountains [pixels]."""
+
+
+def thumbnail(pixels, crop=(0, 0, 0, 0)):
+    """Reduce a picture.
+
+    Parameters
+    ----------
+    pixels : (H, W, 3) array
+        Upright RGB, 0 to 255.
+    crop : (top, bottom, left, right) ints
+        Rows and columns of `pixels` that are border or caption.
+
+    Returns
+    -------
+    (h, w, 3) float32 array
+        Long side `THUMBNAIL_PX`, or the picture's own where that is smaller; NaN where any of it is cropped.
+    """
+    height, width = pixels.shape[:2]
+    top, bottom, left, right = crop
+    if any(crop):
+        shown = np.full(pixels.shape, np.nan, np.float32)
+        inside = slice(top, height - bottom), slice(left, width - right)
+        shown[inside] = pixels[inside]
+        pixels = shown
+    return imaging.shrink_to(pixels[..., :3], THUMBNAIL_PX)

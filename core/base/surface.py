@@ -1,0 +1,136 @@
+"""The DEM's surface at scattered places: elevation and normal, read tile by tile so that memory stays bounded."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .camera import to_camera_axes
+from .terrain import Window, bilinear
+
+TILE_CELLS = 1024
+
+
+def sample_pixels(terrain, col_px, row_px):
+    """Elevation at pixels of the whole raster [m], bilinear; NaN outside and beside voids. Shapes broadcast."""
+    col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
+    col, row = col_px.ravel(), row_px.ravel()
+    elevation = np.full(col.shape, np.nan)
+    rows, cols = terrain.shape
+    inside = np.flatnonzero((col >= -0.5) & (row >= -0.5) & (col <= cols - 0.5) & (row <= rows - 0.5))
+    tile = (row[inside] // TILE_CELLS).astype(np.int64) * (cols // TILE_CELLS + 3) + (col[inside] // TILE_CELLS).astype(
+        np.int64
+    )
+    order = np.argsort(tile, kind="stable")
+    for members in np.split(inside[order], np.flatnonzero(np.diff(tile[order])) + 1):
+        if members.size:
+            window = _around(row[members], col[members], terrain.shape)
+            patch = terrain.read(window)
+            elevation[members] = bilinear(patch, row[members] - window.row, col[members] - window.col)
+    return elevation.reshape(col_px.shape)
+
+
+def _around(row, col, shape):
+    top, left = int(np.floor(row.min())), int(np.floor(col.min()))
+    bottom, right = int(np.ceil(row.max())) + 1, int(np.ceil(col.max())) + 1
+    return Window(top - 1, left - 1, bottom - top + 2, right - left + 2).clipped(shape)
+
+
+def elevation_at(terrain, frame, east_m, north_m):
+    """Elevation of the surface at local places [m]; NaN outside and beside voids."""
+    return sample_pixels(terrain, *frame.to_pixel(east_m, north_m))
+
+
+def normal_at(terrain, frame, east_m, north_m):
+    """Unit normal of the surface at local places.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+    east_m, north_m : (N,) arrays
+        [m].
+
+    Returns
+    -------
+    (3, N) array
+        East, north, up; from central differences over one cell, NaN where an elevation is unknown.
+    """
+    east_m, north_m = np.asarray(east_m, float), np.asarray(north_m, float)
+    step = frame.cell_m
+    east = east_m + step * np.array([0.5, -0.5, 0, 0]).reshape((4,) + (1,) * east_m.ndim)
+    north = north_m + step * np.array([0, 0, 0.5, -0.5]).reshape((4,) + (1,) * east_m.ndim)
+    right, left, above, below = elevation_at(terrain, frame, east, north)
+    normal = np.stack([(left - right) / step, (below - above) / step, np.ones(east_m.shape)])
+    return normal / np.linalg.norm(normal, axis=0)
+
+
+def incidence_deg(normal, azimuth_deg, elevation_deg):
+    """Angle between the surface's normal and the way back to the eye [degrees]: 0 head-on, 90 grazing.
+
+    `azimuth_deg` and `elevation_deg` are the ray's, as the eye sends it.
+    """
+    azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
+    back = -np.stack([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
+    return np.degrees(np.arccos(np.clip((normal * back).sum(axis=0), -1.0, 1.0)))
+
+
+NODE_CELLS = 16
+"""Local places are exact at every so manyth DEM cell and interpolated between: frames bend over kilometres."""
+
+GRAZING_COSINE = 0.02
+"""Beyond 88.9 degrees of incidence the distance along the line of sight is not told apart from infinite."""
+
+
+def local_places(frame, row, col):
+    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them."""
+    if frame.remainder_px is None:
+        return frame.to_local(col, row)
+    r0, c0 = row.min(), col.min()
+    nodes_r = np.arange(r0, row.max() + NODE_CELLS + 1, NODE_CELLS)
+    nodes_c = np.arange(c0, col.max() + NODE_CELLS + 1, NODE_CELLS)
+    east, north = frame.to_local(nodes_c[None, :], nodes_r[:, None])
+    place = (row - r0) / NODE_CELLS, (col - c0) / NODE_CELLS
+    return bilinear(east, *place), bilinear(north, *place)
+
+
+def patch_around(terrain, row, col):
+    """Elevations around scattered DEM pixels of one tile, and where in it they lie."""
+    top, left = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
+    window = Window(top, left, int(np.ceil(row.max())) + 2 - top, int(np.ceil(col.max())) + 2 - left)
+    window = window.clipped(terrain.shape)
+    return terrain.read(window), row - window.row, col - window.col
+
+
+def normal_of(z, row, col, frame):
+    """(east, north, up) of the surface's unit normal at the cells nearest to places of a patch."""
+    rows, cols = z.shape
+    r = np.clip(np.rint(row).astype(np.intp), 0, rows - 1)
+    c = np.clip(np.rint(col).astype(np.intp), 0, cols - 1)
+    flat, at = z.reshape(-1), r * cols + c
+    up, down = np.where(r > 0, cols, 0), np.where(r < rows - 1, cols, 0)
+    left, right = np.where(c > 0, 1, 0), np.where(c < cols - 1, 1, 0)
+    slope_row = (flat[at + down] - flat[at - up]) / np.maximum((up + down) // cols, 1)
+    slope_col = (flat[at + right] - flat[at - left]) / np.maximum(left + right, 1)
+    (a, b), (e, f) = frame.jacobian_px_per_m  # gradient in metres by the chain rule
+    dz_east = np.nan_to_num(slope_col * a + slope_row * e)
+    dz_north = np.nan_to_num(slope_col * b + slope_row * f)
+    length = np.sqrt(1 + dz_east**2 + dz_north**2)
+    return -dz_east / length, -dz_north / length, 1 / length
+
+
+def sampling_distance_m(view, east, north, rise, normal):
+    """Ground sampling distance: metres of ground per pixel, across and along the line of sight.
+
+    Parameters
+    ----------
+    view : View
+    east, north, rise : (N,) arrays
+        Vectors from the eye [m]; `rise` is apparent (`View.rise_of`).
+    normal : three (N,) arrays
+        Of the surface there (east, north, up).
+    """
+    _, _, depth = to_camera_axes(view.pose, east, north, rise)
+    slant = np.sqrt(east**2 + north**2 + rise**2)
+    cosine = -(normal[0] * east + normal[1] * north + normal[2] * rise) / np.maximum(slant, 1e-6)
+    across = np.maximum(depth, 1e-6) / view.camera.focal_px
+    return across, across / np.maximum(cosine, GRAZING_COSINE)

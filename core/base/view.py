@@ -1,0 +1,109 @@
+"""One oriented photograph as a geometer needs it: lens, pose, eye, and the way between ground, direction and pixel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .camera import Camera, Pose, in_frame, project, project_vectors, unproject
+from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
+from .frame import LocalFrame
+from .terrain import eye_elevation_m
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """An oriented camera at its place.
+
+    Attributes
+    ----------
+    camera : Camera
+        Of the full upright picture.
+    pose : Pose
+    frame : LocalFrame
+        Around the eye; places below are its local metres (east, north).
+    eye_elevation_m : float
+        Absolute, in the DEM's height system [m].
+    refraction_coefficient : float
+        See `core.base.curvature`.
+    """
+
+    camera: Camera
+    pose: Pose
+    frame: LocalFrame
+    eye_elevation_m: float
+    refraction_coefficient: float = REFRACTION_COEFFICIENT
+
+    def ray_of(self, x_px, y_px):
+        """Direction of pixels: true azimuth and elevation angle [degrees]."""
+        return unproject(self.camera, self.pose, x_px, y_px)
+
+    def direction_of(self, east_m, north_m, elevation_m):
+        """Direction of places: true azimuth, apparent elevation angle [degrees], and ground distance [m]."""
+        distance = np.hypot(east_m, north_m)
+        azimuth = np.mod(np.degrees(np.arctan2(east_m, north_m)), 360.0)
+        elevation = np.degrees(np.arctan2(self.rise_of(east_m, north_m, elevation_m), distance))
+        return azimuth, elevation, distance
+
+    def pixel_of(self, east_m, north_m, elevation_m):
+        """Pixels (x, y) of places, whether or not anything hides them; NaN behind the camera."""
+        return project_vectors(self.camera, self.pose, east_m, north_m, self.rise_of(east_m, north_m, elevation_m))
+
+    def rise_of(self, east_m, north_m, elevation_m):
+        """Apparent height of places above the eye's horizontal plane, curvature and refraction included [m]."""
+        drop = apparent_drop_m(np.hypot(east_m, north_m), self.refraction_coefficient)
+        return np.subtract(elevation_m, self.eye_elevation_m) - drop
+
+    def frames(self, x_px, y_px):
+        """Tell which pixels lie on the picture."""
+        return in_frame(self.camera, x_px, y_px)
+
+    @property
+    def wedge_deg(self):
+        """(centre azimuth, width) of the picture's outline [degrees]; width 360 where a pole is in the picture."""
+        x, y = outline_px(self.camera)
+        azimuth, elevation = self.ray_of(x, y)
+        if elevation.max() > 89 or elevation.min() < -89 or _holds_a_pole(self):
+            return self.pose.heading_deg, 360.0
+        turn = np.mod(azimuth - self.pose.heading_deg + 180.0, 360.0) - 180.0
+        return self.pose.heading_deg + (turn.min() + turn.max()) / 2, float(turn.max() - turn.min())
+
+
+def _holds_a_pole(view):
+    x, y = project(view.camera, view.pose, view.pose.heading_deg, np.array([90.0, -90.0]))
+    return bool(np.any(view.frames(x, y)))
+
+
+def outline_px(camera, per_side=33):
+    """(x, y) of the picture's outer edge, clockwise from the upper left, closed [pixels]."""
+    t = np.linspace(0.0, 1.0, per_side)[:-1]
+    x = np.concatenate([t, np.ones_like(t), 1 - t, np.zeros_like(t), [0.0]])
+    y = np.concatenate([np.zeros_like(t), t, np.ones_like(t), 1 - t, [0.0]])
+    return x * camera.width_px - 0.5, y * camera.height_px - 0.5
+
+
+def open_view(terrain, observer, camera, pose, max_distance_m, refraction_coefficient=REFRACTION_COEFFICIENT):
+    """Place an oriented camera on a terrain.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    camera : Camera
+    pose : Pose
+    max_distance_m : float
+        How far the view has to reach [m].
+    refraction_coefficient : float
+
+    Returns
+    -------
+    View
+
+    Raises
+    ------
+    ObserverOutsideDemError, NoElevationAtObserverError
+    """
+    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1.01 * max_distance_m)
+    eye = eye_elevation_m(terrain, frame, observer)
+    return View(camera, pose, frame, eye, refraction_coefficient)

@@ -1,0 +1,209 @@
+"""Drawing into uint8 RGB arrays: smooth lines, dots, areas and words, and their PNG and JPEG bytes.
+
+Pillow draws without smoothing, so shapes are drawn several times too large into a coverage mask and shrunk. It is
+imported when first needed; without it pictures are missed in a sentence, and everything else goes on.
+"""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+
+from ..base.errors import MissingPackageError
+from ..base.optional import require
+from .text import plain
+
+OVERSAMPLING = 3
+CASING = (0, 0, 0)
+_FONTS = {
+    False: ("DejaVuSans.ttf", "Arial.ttf", "arial.ttf", "LiberationSans-Regular.ttf", "Helvetica.ttc"),
+    True: ("DejaVuSans-Bold.ttf", "Arial Bold.ttf", "arialbd.ttf", "LiberationSans-Bold.ttf", "Helvetica.ttc"),
+}
+
+
+def encode_png(pixels, quickly=False):
+    """PNG bytes of a uint8 array: (H, W) grey, (H, W, 3) RGB or (H, W, 4) RGBA.
+
+    `quickly` suits whole photographs, which the strongest compression makes a tenth smaller in ten times the time.
+    """
+    return _encoded(pixels, "PNG", compress_level=3) if quickly else _encoded(pixels, "PNG", optimize=True)
+
+
+def encode_jpeg(pixels, quality=82):
+    """JPEG bytes of a uint8 (H, W, 3) RGB array."""
+    return _encoded(pixels, "JPEG", quality=quality, optimize=True)
+
+
+def resized(pixels, width_px, height_px):
+    """Resample a uint8 picture smoothly to another size."""
+    image = _pillow("Image")
+    size = max(round(width_px), 1), max(round(height_px), 1)
+    return np.asarray(image.fromarray(np.ascontiguousarray(pixels)).resize(size, image.LANCZOS))
+
+
+def tint(pixels, coverage, colour):
+    """Lay a colour over a picture, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    coverage : (H, W) float array
+        0 leaves the picture, 1 covers it.
+    colour : (3,) uint8
+    """
+    share = np.clip(coverage, 0, 1)[..., None]
+    np.copyto(pixels, np.rint(pixels * (1 - share) + np.asarray(colour, float) * share).astype(np.uint8))
+
+
+def draw_line(pixels, x_px, y_px, colour, width_px=2.0, dash_px=None, casing_px=0.0, opacity=1.0):
+    """Draw a smooth line, in place, broken where a coordinate is not finite.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    x_px, y_px : (N,) arrays
+        Points, the centre of the first pixel at 0; they may lie outside.
+    colour : (3,) uint8
+    width_px : float
+        [pixels].
+    dash_px : (float, float) or None
+        Lengths drawn and left out along the line [pixels].
+    casing_px : float
+        Width of a dark border on either side, which keeps the line legible on any ground [pixels].
+    opacity : float
+        0 to 1.
+    """
+    pieces = _pieces(np.asarray(x_px, float), np.asarray(y_px, float), dash_px)
+    pieces = [piece for piece in pieces if len(piece) > 1]
+    if casing_px:
+        _cover(pixels, pieces, CASING, width_px + 2 * casing_px, 0.65 * opacity)
+    _cover(pixels, pieces, colour, width_px, opacity)
+
+
+def draw_area(pixels, x_px, y_px, colour, opacity=1.0):
+    """Fill the polygon through the points, in place."""
+    points = np.column_stack([x_px, y_px])
+    _paint(pixels, lambda draw, scaled: draw.polygon(scaled(points), fill=255), points, 1, colour, opacity)
+
+
+def draw_dot(pixels, x_px, y_px, radius_px, colour, casing_px=1.5):
+    """Draw a disc with a dark border, in place."""
+    for radius, fill in ((radius_px + casing_px, CASING), (radius_px, colour)):
+        corners = np.array([[x_px - radius, y_px - radius], [x_px + radius, y_px + radius]])
+        _paint(pixels, lambda draw, scaled, box=corners: draw.ellipse(scaled(box), fill=255), corners, 1, fill, 1.0)
+
+
+def draw_words(pixels, x_px, y_px, words, colour, size_px=14, anchor="ls", casing_px=2, bold=False):
+    """Write words with a border of the opposite brightness, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    x_px, y_px : float
+        Where the anchor comes to lie.
+    words : str
+        One line of any origin.
+    colour : (3,) uint8
+    size_px : float
+        Height of the type [pixels].
+    anchor : str
+        Pillow's two letters: l, m, r and a (top), m, s (base line).
+    casing_px : int
+        Width of the border; dark under light words, light under dark ones.
+    bold : bool
+    """
+    image, draw_module = _pillow("Image"), _pillow("ImageDraw")
+    canvas = image.fromarray(pixels)
+    halo = (0, 0, 0) if np.mean(colour) > 110 else (255, 255, 255)
+    draw_module.Draw(canvas).text(
+        (x_px, y_px),
+        plain(words, 120),
+        fill=tuple(int(c) for c in colour),
+        font=_font(size_px, bold),
+        anchor=anchor,
+        stroke_width=casing_px,
+        stroke_fill=halo,
+    )
+    np.copyto(pixels, np.asarray(canvas))
+
+
+def words_width(words, size_px=14, bold=False):
+    """Width that words will take [pixels]."""
+    return float(_font(size_px, bold).getlength(plain(words, 120)))
+
+
+def _pillow(module):
+    require("PIL", "Drawing and writing pictures")
+    return require(f"PIL.{module}", "Drawing and writing pictures")
+
+
+def _encoded(pixels, kind, **options):
+    stream = io.BytesIO()
+    _pillow("Image").fromarray(np.ascontiguousarray(pixels, dtype=np.uint8)).save(stream, kind, **options)
+    return stream.getvalue()
+
+
+def _font(size_px, bold):
+    fonts = _pillow("ImageFont")
+    for name in _FONTS[bold]:
+        try:
+            return fonts.truetype(name, round(size_px))
+        except OSError:
+            continue
+    try:
+        return fonts.load_default(round(size_px))
+    except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and knows no anchors
+        raise MissingPackageError(
+            "Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or "
+            "Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow."
+        ) from None
+
+
+def _cover(pixels, pieces, colour, width_px, opacity):
+    if not pieces:
+        return
+
+    def paint(draw, scaled):
+        for piece in pieces:
+            draw.line(scaled(piece), fill=255, width=max(round(width_px * OVERSAMPLING), 1), joint="curve")
+
+    _paint(pixels, paint, np.vstack(pieces), width_px, colour, opacity)
+
+
+def _paint(pixels, paint, points, margin_px, colour, opacity):
+    """Have `paint` draw a large mask of the part of the picture around `points`, and tint with it."""
+    image, draw_module = _pillow("Image"), _pillow("ImageDraw")
+    height, width = pixels.shape[:2]
+    low = np.maximum(np.floor(points.min(axis=0) - margin_px - 2), 0).astype(int)
+    high = np.minimum(np.ceil(points.max(axis=0) + margin_px + 3), [width, height]).astype(int)
+    if np.any(high <= low):
+        return
+    size = tuple(int(n) for n in high - low)
+    mask = image.new("L", (size[0] * OVERSAMPLING, size[1] * OVERSAMPLING))
+
+    def scaled(xy):
+        return [(float(x), float(y)) for x, y in (np.asarray(xy) + 0.5 - low) * OVERSAMPLING - 0.5]
+
+    paint(draw_module.Draw(mask), scaled)
+    coverage = np.asarray(mask.resize(size, image.BOX), np.float32) * (opacity / 255)
+    tint(pixels[low[1] : high[1], low[0] : high[0]], coverage, colour)
+
+
+def _pieces(x, y, dash_px):
+    """Cut a line at unknown points, and into dashes."""
+    known = np.isfinite(x) & np.isfinite(y)
+    edges = np.flatnonzero(np.diff(np.r_[False, known, False].astype(int)))
+    for first, stop in zip(edges[::2], edges[1::2]):
+        piece = np.column_stack([x[first:stop], y[first:stop]])
+        yield from [piece] if dash_px is None or len(piece) < 2 else _dashes(piece, dash_px)
+
+
+def _dashes(points, dash_px):
+    on, off = dash_px
+    along = np.r_[0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+    for start in np.arange(0, along[-1], on + off):
+        stop = min(start + on, along[-1])
+        inner = (along > start) & (along < stop)
+        ends = [[np.interp(at, along, points[:, axis]) for axis in (0, 1)] for at in (start, stop)]
+        yield np.vstack([ends[:1], points[inner], ends[1:]])

@@ -1,0 +1,271 @@
+"""The photograph on the terrain: every seen cell takes the colour of the pixel that sees it.
+
+Which cells are seen is the viewshed's answer and is not asked again. A cell's colour is the mean over the patch of
+the picture that it covers; photographs are blended by nearness, fading out towards their own edges.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..base.camera import project_vectors
+from ..base.progress import SILENT, checkpoint
+from ..base.surface import local_places, normal_of, patch_around, sampling_distance_m
+from ..base.terrain import Window, bilinear
+
+TILE_CELLS = 512
+NEARNESS_POWER = 4
+"""Weight of a photo falls with this power of its ground sampling distance: the nearer one wins, without a seam."""
+
+FADE_SHARE = 0.04
+"""Share of the picture's width over which its weight fades to its edge, where it overlaps another."""
+
+
+@dataclass(eq=False)
+class Tile:
+    """A square of the mosaic.
+
+    Attributes
+    ----------
+    rgba : uint8 (T, T, 4) array
+        Alpha 255 where seen.
+    gsd_m : float32 (2, T, T) array
+        Ground sampling distance of the nearest photo, across and along the line of sight [m]; NaN where unseen.
+    """
+
+    rgba: np.ndarray
+    gsd_m: np.ndarray
+    weight: np.ndarray
+
+
+@dataclass(eq=False)
+class Mosaic:
+    """A draped raster in the making: only tiles that something is seen in take memory.
+
+    Attributes
+    ----------
+    window : Window
+        Cells of the DEM that it covers.
+    refine : int
+        Cells of the mosaic per side of a DEM cell.
+    tiles : dict
+        (tile row, tile column) -> Tile.
+    """
+
+    window: Window
+    refine: int = 1
+    tiles: dict = field(default_factory=dict)
+
+    @property
+    def shape(self):
+        """(rows, columns) of the mosaic."""
+        return self.window.rows * self.refine, self.window.cols * self.refine
+
+    def tile(self, key):
+        """Tile of a key, made when first asked for."""
+        if key not in self.tiles:
+            side = (TILE_CELLS, TILE_CELLS)
+            self.tiles[key] = Tile(
+                np.zeros((*side, 4), np.uint8), np.full((2, *side), np.nan, np.float32), np.zeros(side, np.float32)
+            )
+        return self.tiles[key]
+
+    def read(self, row, rows):
+        """(rgba, gsd_m) of some rows of the mosaic: uint8 (rows, C, 4) and float32 (2, rows, C)."""
+        cols = self.shape[1]
+        rgba, gsd = np.zeros((rows, cols, 4), np.uint8), np.full((2, rows, cols), np.nan, np.float32)
+        for (i, j), tile in self.tiles.items():
+            top, left = i * TILE_CELLS, j * TILE_CELLS
+            a, b = max(row, top), min(row + rows, top + TILE_CELLS)
+            width = min(TILE_CELLS, cols - left)
+            if a < b:
+                rgba[a - row : b - row, left : left + width] = tile.rgba[a - top : b - top, :width]
+                gsd[:, a - row : b - row, left : left + width] = tile.gsd_m[:, a - top : b - top, :width]
+        return rgba, gsd
+
+
+def drape_photo(mosaic, terrain, view, picture, seen, seen_window, progress=SILENT):
+    """Add one photograph to a mosaic.
+
+    Parameters
+    ----------
+    mosaic : Mosaic
+        Changed in place.
+    terrain : Terrain
+    view : View
+        Its camera is that of the full picture; `picture` may be a reduced copy.
+    picture : PicturePyramid
+    seen : (R, C) bool array
+        Cells that the photograph sees, from the viewshed.
+    seen_window : Window
+        Cells of the DEM that `seen` covers.
+    progress : Progress
+
+    Returns
+    -------
+    int
+        Cells of the mosaic that got colour from this photograph.
+    """
+    keys = _tiles_touched(mosaic, seen, seen_window)
+    coloured = 0
+    for count, key in enumerate(keys):
+        checkpoint(progress, count / len(keys))
+        row, col = _seen_cells(mosaic, key, seen, seen_window)
+        if row.size:
+            coloured += _drape_tile(mosaic, key, terrain, view, picture, row, col)
+    return coloured
+
+
+def _tiles_touched(mosaic, seen, window):
+    """Keys of the mosaic's tiles over the box of the seen cells."""
+    rows, cols = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
+    if not rows.size:
+        return []
+    first = np.array([rows[0] + window.row - mosaic.window.row, cols[0] + window.col - mosaic.window.col])
+    last = np.array([rows[-1] + window.row - mosaic.window.row, cols[-1] + window.col - mosaic.window.col])
+    first = np.maximum(first, 0) * mosaic.refine // TILE_CELLS
+    limit = np.array([mosaic.window.rows, mosaic.window.cols]) - 1
+    last = (np.minimum(last, limit) + 1) * mosaic.refine // TILE_CELLS
+    return [(i, j) for i in range(first[0], last[0] + 1) for j in range(first[1], last[1] + 1)]
+
+
+def _seen_cells(mosaic, key, seen, window):
+    """Rows and columns of the mosaic in a tile whose DEM cell is seen."""
+    refine = mosaic.refine
+    top, left = key[0] * TILE_CELLS, key[1] * TILE_CELLS
+    bottom, right = (min(edge + TILE_CELLS, size) for edge, size in zip((top, left), mosaic.shape))
+    r0, c0 = top // refine + mosaic.window.row - window.row, left // refine + mosaic.window.col - window.col
+    r1 = -(-bottom // refine) + mosaic.window.row - window.row
+    c1 = -(-right // refine) + mosaic.window.col - window.col
+    a, b, c, d = max(r0, 0), min(r1, window.rows), max(c0, 0), min(c1, window.cols)
+    none = np.zeros(0, np.intp)
+    if a >= b or c >= d:
+        return none, none
+    row, col = np.nonzero(seen[a:b, c:d])
+    row, col = row + a + window.row - mosaic.window.row, col + c + window.col - mosaic.window.col
+    if refine > 1:
+        sub = np.arange(refine)
+        row = np.repeat((row[:, None] * refine + sub).ravel(), refine)
+        col = np.repeat(col[:, None] * refine + sub, refine, axis=0).ravel()
+        row, col = row.reshape(-1), col.reshape(-1)
+    inside = (row >= top) & (row < bottom) & (col >= left) & (col < right)
+    return row[inside], col[inside]
+
+
+def _drape_tile(mosaic, key, terrain, view, picture, row, col):
+    dem_row = (row + 0.5) / mosaic.refine - 0.5 + mosaic.window.row
+    dem_col = (col + 0.5) / mosaic.refine - 0.5 + mosaic.window.col
+    z, r, c = patch_around(terrain, dem_row, dem_col)
+    east, north = local_places(view.frame, dem_row, dem_col)
+    elevation = z[r.astype(np.intp), c.astype(np.intp)] if mosaic.refine == 1 else bilinear(z, r, c)
+    rise = view.rise_of(east, north, elevation)
+    x, y = project_vectors(view.camera, view.pose, east, north, rise)
+    use = np.flatnonzero(view.frames(x, y))
+    if not use.size:
+        return 0
+    if use.size < x.size:
+        x, y, east, north, rise, r, c, row, col = (value[use] for value in (x, y, east, north, rise, r, c, row, col))
+    across, along = sampling_distance_m(view, east, north, rise, normal_of(z, r, c, view.frame))
+    cell_m = view.frame.cell_m / mosaic.refine
+    scale = picture.size_px[0] / view.camera.width_px
+    footprint = (cell_m * scale) / np.sqrt(across * along)
+    colour = picture.sample((x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, footprint)
+    _blend(mosaic.tile(key), row % TILE_CELLS, col % TILE_CELLS, colour, across, along, _fade(view.camera, x, y))
+    return int(use.size)
+
+
+def _fade(camera, x_px, y_px):
+    """Weight towards the picture's edge, 1 inside."""
+    edge = np.minimum(np.minimum(x_px, camera.width_px - 1 - x_px), np.minimum(y_px, camera.height_px - 1 - y_px))
+    return np.clip((edge + 1) / (FADE_SHARE * camera.width_px), 0.01, 1.0)
+
+
+def _blend(tile, row, col, colour, across, along, fade):
+    at = row * TILE_CELLS + col
+    rgba, gsd, weights = tile.rgba.reshape(-1, 4), tile.gsd_m.reshape(2, -1), tile.weight.reshape(-1)
+    weight = (fade / across**NEARNESS_POWER).astype(np.float32)
+    before = weights[at]
+    nearer = slice(None)
+    if before.any():
+        share = (weight / (before + weight))[:, None]
+        old = rgba[at, :3].astype(np.float32)
+        colour = old + (colour - old) * share
+        nearer = ~(gsd[0, at] <= across)
+    opaque = np.full((at.size, 4), 255, np.uint8)
+    opaque[:, :3] = np.rint(colour)
+    rgba[at] = opaque
+    weights[at] = before + weight
+    gsd[0, at[nearer]], gsd[1, at[nearer]] = across[nearer], along[nearer]
+
+
+@dataclass(frozen=True, eq=False)
+class PicturePyramid:
+    """Levels of a picture; level k has pixels 2^k times as large.
+
+    Attributes
+    ----------
+    levels : tuple of uint8 (h, w, 3) arrays
+    """
+
+    levels: tuple
+
+    @property
+    def size_px(self):
+        """(width, height) of the full picture."""
+        height, width = self.levels[0].shape[:2]
+        return width, height
+
+    def sample(self, x_px, y_px, footprint_px):
+        """Colours at places of the full picture.
+
+        Parameters
+        ----------
+        x_px, y_px : (N,) arrays
+            The centre of the first pixel at 0.
+        footprint_px : (N,) array
+            Side of the patch of the picture to be averaged [pixels]; 1 or less interpolates between pixels.
+
+        Returns
+        -------
+        (N, 3) float32 array
+            0 to 255.
+        """
+        with np.errstate(divide="ignore"):
+            level = np.rint(np.log2(np.maximum(footprint_px, 1e-6)))
+        level = np.clip(level, 0, len(self.levels) - 1).astype(np.intp)
+        colour = np.empty((np.size(x_px), 3), np.float32)
+        for k in np.unique(level):
+            pick = np.flatnonzero(level == k)
+            size = 2.0**k
+            at_x, at_y = (x_px[pick] + 0.5) / size - 0.5, (y_px[pick] + 0.5) / size - 0.5
+            colour[pick] = _bilinear_colour(self.levels[k], at_x, at_y)
+        return colour
+
+
+def build_picture_pyramid(pixels, smallest_px=16):
+    """Halve a uint8 (H, W, 3) picture until its shorter side falls below `smallest_px`."""
+    levels = [np.ascontiguousarray(np.asarray(pixels)[..., :3], dtype=np.uint8)]
+    while min(levels[-1].shape[:2]) >= 2 * smallest_px:
+        fine = levels[-1]
+        height, width = fine.shape[0] // 2 * 2, fine.shape[1] // 2 * 2
+        total = fine[0:height:2, 0:width:2].astype(np.uint16)
+        for dy, dx in ((0, 1), (1, 0), (1, 1)):
+            total += fine[dy:height:2, dx:width:2]
+        levels.append(((total + 2) >> 2).astype(np.uint8))
+    return PicturePyramid(tuple(levels))
+
+
+def _bilinear_colour(picture, x, y):
+    height, width = picture.shape[:2]
+    x, y = np.clip(x, 0, width - 1), np.clip(y, 0, height - 1)
+    left, top = np.minimum(x.astype(np.intp), width - 2), np.minimum(y.astype(np.intp), height - 2)
+    fx, fy = (x - left).astype(np.float32)[:, None], (y - top).astype(np.float32)[:, None]
+    flat, first = picture.reshape(-1, 3), top * width + left
+    upper = flat[first].astype(np.float32)
+    upper += (flat[first + 1] - upper) * fx
+    lower = flat[first + width].astype(np.float32)
+    lower += (flat[first + width + 1] - lower) * fx
+    upper += (lower - upper) * fy
+    return upper

@@ -1,0 +1,223 @@
+"""Monoplotting: from pixels of one oriented photograph to places on the terrain, with an honest error ellipse.
+
+A pixel's ray is cast to the terrain; so are the rays of poses drawn from the pose's uncertainty. Their end points
+scatter as the true place may, whatever the shape of the ground: a long thin ellipse where the ray grazes it, and two
+clouds where it passes an edge, behind which other ground lies. The ellipse describes the cloud on the pixel's own
+surface; `p_other` says how many draws ended elsewhere.
+
+References
+----------
+.. [1] Bozzini, C., Conedera, M., Krebs, P., A new monoplotting tool to extract georeferenced vector data and
+   orthorectified raster data from oblique non-metric photographs, Int. J. Heritage in the Digital Era 1 (2012)
+   499-518, doi:10.1260/2047-4970.1.3.499.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..base.camera import Pose, unproject
+from ..base.progress import SILENT, subtask
+from ..base.surface import incidence_deg, normal_at
+from ..base.uncertainty import pose_draws
+from .sightline import GROUND, GroundHits, SightOptions, cast_rays
+
+OTHER_SURFACE = 0.1
+"""Neighbouring draws farther apart than this share of their distance may lie on two surfaces."""
+
+GAP_RATIO = 8.0
+"""...and do, where the gap is also this many times the pixel's usual one."""
+
+EDGE_SHARE = 0.05
+"""Share of the draws elsewhere from which a pixel is said to lie at an edge."""
+
+PIXELS_AT_ONCE = 4000
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedPixels:
+    """Pixels and where they lie on the ground.
+
+    Attributes
+    ----------
+    x_px, y_px : (N,) arrays
+    hits : GroundHits
+    azimuth_deg, elevation_deg : (N,) arrays
+        Of the rays [degrees].
+    incidence_deg : (N,) array
+        Between the ray and the surface's normal, 0 head-on, 90 grazing [degrees].
+    metres_per_pixel : (N,) array
+        Across the line of sight [m].
+    """
+
+    x_px: np.ndarray
+    y_px: np.ndarray
+    hits: GroundHits
+    azimuth_deg: np.ndarray
+    elevation_deg: np.ndarray
+    incidence_deg: np.ndarray
+    metres_per_pixel: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class GroundEllipse:
+    """Where the true place of each pixel lies with probability `coverage`.
+
+    Attributes
+    ----------
+    coverage : float
+    semi_major_m, semi_minor_m : (N,) arrays
+        Half axes around the placed point [m]; NaN where it is not on the ground.
+    azimuth_deg : (N,) array
+        Of the major axis, clockwise from true north, in [0, 180) [degrees].
+    sigma_z_m : (N,) array
+        Standard deviation of the elevation [m].
+    near_m, far_m : (N,) arrays
+        5 % and 95 % quantile of the distance over all draws that meet the ground [m].
+    p_other : (N,) array
+        Share of the draws that end on another surface, beyond an edge, or in the sky.
+    """
+
+    coverage: float
+    semi_major_m: np.ndarray
+    semi_minor_m: np.ndarray
+    azimuth_deg: np.ndarray
+    sigma_z_m: np.ndarray
+    near_m: np.ndarray
+    far_m: np.ndarray
+    p_other: np.ndarray
+
+    @property
+    def at_edge(self):
+        """(N,) bool: the place may lie on another surface altogether."""
+        return self.p_other > EDGE_SHARE
+
+
+def place_pixels(terrain, view, x_px, y_px, options=None, progress=SILENT):
+    """Place pixels on the ground.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    view : View
+    x_px, y_px : (N,) arrays
+        Pixels of the full upright picture, the first one's centre at 0. Pixels off the picture are placed too.
+    options : SightOptions or None
+    progress : Progress
+
+    Returns
+    -------
+    PlacedPixels
+    """
+    options = _with_refraction(options, view)
+    x_px, y_px = np.asarray(x_px, float), np.asarray(y_px, float)
+    azimuth, elevation = view.ray_of(x_px, y_px)
+    hits = cast_rays(terrain, view.frame, view.eye_elevation_m, azimuth, elevation, options, progress)
+    normal = normal_at(terrain, view.frame, hits.east_m, hits.north_m)
+    slant = hits.distance_m / np.cos(np.radians(elevation))
+    per_pixel = slant * _radians_per_pixel(view, x_px, y_px)
+    return PlacedPixels(x_px, y_px, hits, azimuth, elevation, incidence_deg(normal, azimuth, elevation), per_pixel)
+
+
+def _with_refraction(options, view):
+    return replace(options or SightOptions(), refraction_coefficient=view.refraction_coefficient)
+
+
+def _radians_per_pixel(view, x_px, y_px):
+    """Smaller than 1 / focal towards the corners: the angle between rays half a pixel to the left and right."""
+    a1, e1 = np.radians(view.ray_of(x_px - 0.5, y_px))
+    a2, e2 = np.radians(view.ray_of(x_px + 0.5, y_px))
+    half = np.sin((e2 - e1) / 2) ** 2 + np.cos(e1) * np.cos(e2) * np.sin((a2 - a1) / 2) ** 2
+    return 2 * np.arcsin(np.sqrt(half))
+
+
+def ground_ellipses(terrain, view, placed, uncertainty, coverage=0.9, options=None, pairs=24, progress=SILENT):
+    """Carry the uncertainty of pose, position and DEM to the places of pixels.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    view : View
+    placed : PlacedPixels
+        From `place_pixels` with the same view.
+    uncertainty : PoseUncertainty
+    coverage : float
+        Probability that the ellipse is to hold.
+    options : SightOptions or None
+    pairs : int
+        Half the number of draws per pixel.
+    progress : Progress
+
+    Returns
+    -------
+    GroundEllipse
+    """
+    if not 0 < coverage < 1:
+        raise ValueError(f"coverage must lie between 0 and 1, not {coverage}")
+    options = _with_refraction(options, view)
+    draws = pose_draws(uncertainty, pairs)
+    count = placed.x_px.size
+    columns = np.full((7, count), np.nan)
+    ground = np.flatnonzero(placed.hits.state.ravel() == GROUND)
+    for start in range(0, ground.size, PIXELS_AT_ONCE):
+        part = ground[start : start + PIXELS_AT_ONCE]
+        share = subtask(progress, start / ground.size, (start + part.size) / ground.size)
+        cloud = _cloud(terrain, view, placed.x_px.ravel()[part], placed.y_px.ravel()[part], draws, options, share)
+        nominal = [column.ravel()[part] for column in (placed.hits.east_m, placed.hits.north_m)]
+        distance = placed.hits.distance_m.ravel()[part]
+        columns[:, part] = _summarise(cloud, nominal, distance, uncertainty.dem_m, coverage)
+    return GroundEllipse(coverage, *columns.reshape((7,) + placed.x_px.shape))
+
+
+def _cloud(terrain, view, x_px, y_px, draws, options, progress):
+    """End points (D, N) of the drawn rays."""
+    rays = np.empty((2, len(draws), x_px.size))
+    for k, (heading, pitch, roll, log_focal, *_) in enumerate(draws):
+        pose = Pose(view.pose.heading_deg + heading, view.pose.pitch_deg + pitch, view.pose.roll_deg + roll)
+        camera = replace(view.camera, focal_px=view.camera.focal_px * float(np.exp(log_focal)))
+        rays[:, k] = unproject(camera, pose, x_px, y_px)
+    east, north, height = (draws[:, k, None] for k in (4, 5, 6))
+    return cast_rays(
+        terrain, view.frame, view.eye_elevation_m + height, rays[0], rays[1], options, progress,
+        east_m=east, north_m=north,
+    )  # fmt: skip
+
+
+def _summarise(cloud, nominal, distance_m, dem_m, coverage):
+    same = _same_surface(cloud, distance_m)
+    enough = same.sum(axis=0) >= 5
+    weight = np.where(enough, same, np.nan) / np.where(enough, same.sum(axis=0), 1)
+    east, north = (np.where(same, value, 0.0) - np.where(same, place, 0.0)
+                   for value, place in zip((cloud.east_m, cloud.north_m), nominal))  # fmt: skip
+    ee, nn, en = ((weight * product).sum(axis=0) for product in (east * east, north * north, east * north))
+    middle, split = (ee + nn) / 2, np.hypot((ee - nn) / 2, en)
+    scale = -2 * np.log(1 - coverage)  # quantile of chi squared with two degrees of freedom
+    major, minor = np.sqrt(scale * (middle + split)), np.sqrt(scale * np.maximum(middle - split, 0))
+    azimuth = np.mod(np.degrees(np.arctan2(2 * en, nn - ee)) / 2, 180.0)
+    z = np.where(same, cloud.elevation_m, 0.0)
+    mean_z = (weight * z).sum(axis=0)
+    sigma_z = np.sqrt((weight * np.where(same, z - mean_z, 0.0) ** 2).sum(axis=0) + dem_m**2)
+    with np.errstate(invalid="ignore"):
+        near, far = np.nanquantile(np.vstack([cloud.distance_m, distance_m]), (0.05, 0.95), axis=0)
+    return np.array([major, minor, azimuth, sigma_z, near, far, 1 - same.mean(axis=0)])
+
+
+def _same_surface(cloud, distance_m):
+    """(D, N) bool: draws that end on the surface that the pixel itself shows.
+
+    Sorted by distance, the draws of one pixel fall into groups where a gap is both a good share of the distance
+    and much wider than the usual step; the group that holds the pixel's own point is its surface.
+    """
+    everything = np.vstack([distance_m, cloud.distance_m])
+    order = np.argsort(everything, axis=0)
+    sorted_log = np.log(np.take_along_axis(everything, order, axis=0))
+    gap = np.diff(sorted_log, axis=0)
+    with np.errstate(invalid="ignore"):
+        usual = np.nanmedian(gap, axis=0)
+        cut = (gap > OTHER_SURFACE) & (gap > GAP_RATIO * usual)
+    group_sorted = np.vstack([np.zeros((1, gap.shape[1]), int), np.cumsum(cut, axis=0)])
+    group = np.empty_like(group_sorted)
+    np.put_along_axis(group, order, group_sorted, axis=0)
+    return (cloud.state == GROUND) & (group[1:] == group[0])

@@ -1,0 +1,244 @@
+"""From the map to the picture: where places appear in an oriented photograph, and whether anything hides them.
+
+A place is visible when its own sight line, cast like any pixel's ray, reaches it. Lines are followed in steps of a
+pixel or two and cut where their state changes; areas are asked in a net of sample places.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.angles import in_wedge
+from ..base.progress import SILENT
+from ..base.surface import elevation_at
+from .sightline import GROUND, VOID, SightOptions, cast_rays
+
+VISIBLE, HIDDEN, OUTSIDE, UNKNOWN = 1, 0, 2, 3
+"""Of a place: seen; behind terrain; not on the picture or too far; no elevation there, or a hole in the DEM before."""
+
+STATE_NAMES = {VISIBLE: "visible", HIDDEN: "hidden", OUTSIDE: "outside", UNKNOWN: "unknown"}
+
+
+@dataclass(frozen=True, eq=False)
+class ProjectedPlaces:
+    """Places and where they appear.
+
+    Attributes
+    ----------
+    state : (N,) uint8 array
+        `VISIBLE`, `HIDDEN`, `OUTSIDE` or `UNKNOWN`.
+    x_px, y_px : (N,) arrays
+        Pixels of the full upright picture; given for hidden places and those off the picture too, NaN behind the
+        camera.
+    azimuth_deg, elevation_deg : (N,) arrays
+        Direction from the eye [degrees].
+    distance_m : (N,) array
+        Along the ground [m].
+    elevation_m : (N,) array
+        Of the place as used [m].
+    """
+
+    state: np.ndarray
+    x_px: np.ndarray
+    y_px: np.ndarray
+    azimuth_deg: np.ndarray
+    elevation_deg: np.ndarray
+    distance_m: np.ndarray
+    elevation_m: np.ndarray
+
+    @property
+    def visible(self):
+        """(N,) bool."""
+        return self.state == VISIBLE
+
+
+@dataclass(frozen=True, eq=False)
+class ProjectedRun:
+    """A stretch of a line in one state.
+
+    Attributes
+    ----------
+    state : int
+    x_px, y_px : (N,) arrays
+        Pixels along it.
+    share : tuple of two floats
+        Where on the line it begins and ends, 0 to 1 of the line's length.
+    distance_m : (N,) array
+        Of its places from the eye [m].
+    """
+
+    state: int
+    x_px: np.ndarray
+    y_px: np.ndarray
+    share: tuple
+    distance_m: np.ndarray
+
+
+def project_places(
+    terrain, view, east_m, north_m, elevation_m=None, *, height_above_m=0.0, options=None, all_round=False,
+    own_ground_m=None, progress=SILENT,
+):  # fmt: skip
+    """Project places into the picture.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    view : View
+    east_m, north_m : (N,) arrays
+        Local metres around the eye [m].
+    elevation_m : (N,) array or None
+        Absolute; NaN or None means on the surface [m]. A place given below the surface is raised to it for the
+        question of sight, so that a summit whose published height exceeds or misses a coarse DEM stays honest.
+    height_above_m : float or (N,) array
+        Added to it: the height of a tower or tree [m].
+    options : SightOptions or None
+    all_round : bool
+        Ignore the picture's frame: nothing is `OUTSIDE` for its direction.
+    own_ground_m : float or None
+        Ground this near before a place is its own and does not hide it [m]; None means one cell. A summit wants
+        more: the edge of its top is still the summit.
+    progress : Progress
+
+    Returns
+    -------
+    ProjectedPlaces
+    """
+    options = options or SightOptions(refraction_coefficient=view.refraction_coefficient)
+    east_m, north_m = np.broadcast_arrays(np.asarray(east_m, float), np.asarray(north_m, float))
+    surface = elevation_at(terrain, view.frame, east_m, north_m)
+    given = surface if elevation_m is None else np.where(np.isfinite(elevation_m), elevation_m, surface)
+    shown = given + height_above_m
+    azimuth, elevation, distance = view.direction_of(east_m, north_m, shown)
+    x, y = view.pixel_of(east_m, north_m, shown)
+    state = np.full(east_m.shape, OUTSIDE, np.uint8)
+    near_enough = (distance >= options.min_distance_m) & (distance <= options.max_distance_m)
+    asked = near_enough & (np.full(east_m.shape, True) if all_round else view.frames(x, y))
+    ahead = in_wedge(azimuth, *view.wedge_deg) | all_round
+    state[near_enough & ahead & ~np.isfinite(shown)] = UNKNOWN
+    asked &= np.isfinite(shown)
+    top = np.fmax(given, surface) + height_above_m
+    state[asked] = _sight(terrain, view, east_m[asked], north_m[asked], top[asked], options, own_ground_m, progress)
+    return ProjectedPlaces(state, x, y, azimuth, elevation, distance, shown)
+
+
+def _sight(terrain, view, east_m, north_m, top_m, options, own_ground_m, progress):
+    """State of places known to be on the picture."""
+    azimuth, elevation, distance = view.direction_of(east_m, north_m, top_m)
+    end = distance - (view.frame.cell_m if own_ground_m is None else own_ground_m)
+    hits = cast_rays(terrain, view.frame, view.eye_elevation_m, azimuth, elevation, options, progress, end_m=end)
+    return np.select([hits.state == GROUND, hits.state == VOID], [HIDDEN, UNKNOWN], VISIBLE)
+
+
+def densify(east_m, north_m, view, step_px=2.0, elevation_m=None, longest=20_000):
+    """Insert places along a line so that neighbours lie about `step_px` apart in the picture.
+
+    Parameters
+    ----------
+    east_m, north_m : (N,) arrays
+        Vertices in local metres [m].
+    view : View
+    step_px : float
+        Wanted step [pixels].
+    elevation_m : (N,) array or None
+        Heights of the vertices, interpolated along [m].
+    longest : int
+        Never more places than about this.
+
+    Returns
+    -------
+    east_m, north_m, elevation_m, share : arrays
+        The last is the place along the line, 0 to 1; elevation NaN where none was given.
+    """
+    east_m, north_m = np.asarray(east_m, float), np.asarray(north_m, float)
+    elevation_m = np.full(east_m.shape, np.nan) if elevation_m is None else np.asarray(elevation_m, float)
+    length = np.hypot(np.diff(east_m), np.diff(north_m))
+    total = length.sum()
+    if east_m.size < 2 or total == 0:
+        return east_m, north_m, elevation_m, np.zeros(east_m.shape)
+    # A step seen across the line of sight is never wider than this on the picture.
+    nearest = np.maximum(_nearest_m(east_m, north_m), 0.5 * view.frame.cell_m)
+    pieces = np.ceil(length * view.camera.focal_px / nearest / step_px)
+    pieces = np.clip(pieces, 1, np.maximum(np.ceil(4 * length / view.frame.cell_m), 1))
+    pieces = np.maximum(np.ceil(pieces * min(1.0, longest / pieces.sum())), 1).astype(int)
+    t = np.concatenate([k + np.arange(n) / n for k, n in enumerate(pieces)] + [[float(len(pieces))]])
+    vertex = np.arange(east_m.size, dtype=float)
+    run = np.concatenate([[0.0], np.cumsum(length)]) / total
+    return tuple(np.interp(t, vertex, value) for value in (east_m, north_m, elevation_m, run))
+
+
+def _nearest_m(east_m, north_m):
+    """Least distance of each segment from the origin [m]."""
+    de, dn = np.diff(east_m), np.diff(north_m)
+    t = -(east_m[:-1] * de + north_m[:-1] * dn) / np.maximum(de * de + dn * dn, 1e-12)
+    t = np.clip(t, 0.0, 1.0)
+    return np.hypot(east_m[:-1] + t * de, north_m[:-1] + t * dn)
+
+
+def project_line(terrain, view, east_m, north_m, elevation_m=None, step_px=2.0, options=None, progress=SILENT):
+    """Project a line and cut it where its state changes.
+
+    Parameters as `project_places` and `densify`; the line follows the surface unless heights are given.
+
+    Returns
+    -------
+    tuple of ProjectedRun
+        In the line's order; neighbouring runs share a place, so that no gap shows.
+    """
+    east, north, height, share = densify(east_m, north_m, view, step_px, elevation_m)
+    places = project_places(terrain, view, east, north, height, options=options, progress=progress)
+    return _runs(places, share)
+
+
+def _runs(places, share):
+    change = np.flatnonzero(np.diff(places.state)) + 1
+    runs = []
+    for start, stop in zip(np.concatenate([[0], change]), np.concatenate([change, [places.state.size]])):
+        part = slice(start, min(stop + 1, places.state.size))
+        runs.append(
+            ProjectedRun(
+                int(places.state[start]),
+                places.x_px[part],
+                places.y_px[part],
+                (float(share[start]), float(share[part][-1])),
+                places.distance_m[part],
+            )  # fmt: skip
+        )
+    return tuple(runs)
+
+
+def sample_area(rings, spacing_m):
+    """Give places in a net over an area, inside by the even-odd rule.
+
+    Parameters
+    ----------
+    rings : sequence of (east_m, north_m) arrays
+        Outer and inner rings in any order and sense, local metres.
+    spacing_m : float
+        Of the net [m]; widened where it would give more than some 40,000 places.
+
+    Returns
+    -------
+    east_m, north_m : arrays
+    """
+    all_east = np.concatenate([np.asarray(e, float) for e, _ in rings])
+    all_north = np.concatenate([np.asarray(n, float) for _, n in rings])
+    width, height = np.ptp(all_east), np.ptp(all_north)
+    spacing = max(spacing_m, np.sqrt(width * height / 40_000), max(width, height) / 5_000, 1e-6)
+    east = np.arange(all_east.min() + spacing / 2, all_east.max() + spacing / 2, spacing)
+    north = np.arange(all_north.min() + spacing / 2, all_north.max() + spacing / 2, spacing)
+    east, north = (grid.ravel() for grid in np.meshgrid(east, north))
+    inside = np.zeros(east.shape, bool)
+    for ring_east, ring_north in rings:
+        inside ^= _inside_ring(east, north, np.asarray(ring_east, float), np.asarray(ring_north, float))
+    return east[inside], north[inside]
+
+
+def _inside_ring(east, north, ring_east, ring_north):
+    inside = np.zeros(east.shape, bool)
+    for e1, n1, e2, n2 in zip(ring_east, ring_north, np.roll(ring_east, -1), np.roll(ring_north, -1)):
+        if n1 != n2:
+            crosses = (n1 > north) != (n2 > north)
+            inside ^= crosses & (east < e1 + (north - n1) / (n2 - n1) * (e2 - e1))
+    return inside

@@ -1,0 +1,112 @@
+"""The inverse question: how one photograph shows places, so that many can be ranked for each place.
+
+A place is a set of sample points: one for a point, a chain for a line, a net for an area. What counts is how much
+of it is seen, how many pixels a metre of it gets, and how squarely it is looked at.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.camera import to_camera_axes
+from ..base.progress import SILENT
+from ..base.surface import incidence_deg, normal_at
+from .projecting import project_places
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """How one photograph shows one place.
+
+    Attributes
+    ----------
+    place : int
+        Index of the place.
+    visible_share : float
+        Of its sample points, 0 to 1.
+    framed_share : float
+        Of its sample points that lie within the frame, seen or hidden.
+    x_px, y_px : float
+        Middle of its visible points in the picture [pixels].
+    distance_m : float
+        Median over them, along the ground [m].
+    azimuth_deg, elevation_deg : float
+        Direction from the camera to that point nearest the middle [degrees].
+    pixels_per_metre : float
+        Across the line of sight, median.
+    incidence_deg : float
+        Between line of sight and surface normal, median; 0 head-on, 90 grazing [degrees].
+    quality : float
+        visible_share x pixels_per_metre x cos(incidence): pixels that show a metre of ground in the worse direction.
+    """
+
+    place: int
+    visible_share: float
+    framed_share: float
+    x_px: float
+    y_px: float
+    distance_m: float
+    azimuth_deg: float
+    elevation_deg: float
+    pixels_per_metre: float
+    incidence_deg: float
+    quality: float
+
+
+def find_sightings(terrain, view, places, options=None, height_above_m=0.0, progress=SILENT):
+    """Find which places a photograph shows.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    view : View
+    places : sequence of (east_m, north_m) arrays
+        Sample points of each place, local metres around the eye [m].
+    options : SightOptions or None
+    height_above_m : float
+        Of what is looked for above the ground [m].
+    progress : Progress
+
+    Returns
+    -------
+    tuple of Sighting
+        Of the places seen at all, best quality first.
+    """
+    sizes = [np.size(east) for east, _ in places]
+    if not sum(sizes):
+        return ()
+    owner = np.repeat(np.arange(len(places)), sizes)
+    east = np.concatenate([np.ravel(np.asarray(e, float)) for e, _ in places])
+    north = np.concatenate([np.ravel(np.asarray(n, float)) for _, n in places])
+    shown = project_places(
+        terrain, view, east, north, height_above_m=height_above_m, options=options, progress=progress
+    )
+    framed = view.frames(shown.x_px, shown.y_px)
+    seen = np.flatnonzero(shown.visible)
+    incidence = np.full(east.size, np.nan)
+    normal = normal_at(terrain, view.frame, east[seen], north[seen])
+    incidence[seen] = incidence_deg(normal, shown.azimuth_deg[seen], shown.elevation_deg[seen])
+    _, _, depth = to_camera_axes(view.pose, east, north, view.rise_of(east, north, shown.elevation_m))
+    found = []
+    for place in np.unique(owner[seen]):
+        mine = owner == place
+        found.append(_sighting(view, place, shown, framed[mine].mean(), mine & shown.visible, mine, depth, incidence))
+    return tuple(sorted(found, key=lambda sighting: (-sighting.quality, sighting.place)))
+
+
+def _sighting(view, place, shown, framed_share, visible, mine, depth_m, incidence):
+    share = visible.sum() / mine.sum()
+    per_metre = float(np.median(view.camera.focal_px / np.maximum(depth_m[visible], 1e-6)))
+    known = incidence[visible][np.isfinite(incidence[visible])]
+    angle = float(np.median(known)) if known.size else float("nan")
+    middle_x, middle_y = shown.x_px[visible].mean(), shown.y_px[visible].mean()
+    off = np.where(visible, np.hypot(shown.x_px - middle_x, shown.y_px - middle_y), np.inf)
+    nearest = int(np.argmin(off))
+    squarely = max(np.cos(np.radians(angle)), 0.0) if np.isfinite(angle) else 0.0
+    return Sighting(
+        int(place), float(share), float(framed_share), float(middle_x), float(middle_y),
+        float(np.median(shown.distance_m[visible])), float(shown.azimuth_deg[nearest]),
+        float(shown.elevation_deg[nearest]), per_metre, angle, float(share * per_metre * squarely),
+    )  # fmt: skip

@@ -1,0 +1,53 @@
+"""Landmarks given by a person: brought to the reduced picture, turned into starts, and judged after the fit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..base.angles import difference, wrap_360
+from ..base.camera import Pose, project, unproject
+
+
+def scale_landmarks(landmarks, full, reduced):
+    """Move landmarks from the full picture's pixels to the reduced one's.
+
+    Half a reduced pixel is added to their spread: the evidence knows nothing finer.
+    """
+    factor_x, factor_y = reduced.width_px / full.width_px, reduced.height_px / full.height_px
+    return tuple(
+        replace(
+            mark,
+            x_px=(mark.x_px + 0.5) * factor_x - 0.5,
+            y_px=(mark.y_px + 0.5) * factor_y - 0.5,
+            sigma_px=float(np.hypot(mark.sigma_px * factor_x, 0.5)),
+        )
+        for mark in landmarks
+    )
+
+
+def starting_pose(camera, landmark):
+    """Level pose from which the landmark is seen at its pixel.
+
+    Pitch and heading follow from one direction once the roll is taken as zero; a few corrections of the pitch by
+    the remaining difference of elevation suffice, since one moves the other almost one to one.
+    """
+    pitch, azimuth = 0.0, 0.0
+    for _ in range(12):
+        azimuth, elevation = unproject(camera, Pose(0.0, pitch), landmark.x_px, landmark.y_px)
+        pitch = float(np.clip(pitch + landmark.elevation_deg - elevation, -85.0, 85.0))
+    return Pose(float(wrap_360(landmark.azimuth_deg - azimuth)), pitch)
+
+
+def landmark_notes(landmarks, camera, pose):
+    """One sentence per landmark: by how much the found camera misses it [pixels of the full picture]."""
+    notes = []
+    for number, mark in enumerate(landmarks, 1):
+        x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)
+        if np.isfinite(x):
+            miss = f"{np.hypot(x - mark.x_px, y - mark.y_px):.0f} pixels"
+        else:
+            miss = f"{abs(difference(mark.azimuth_deg, pose.heading_deg)):.0f} degrees"
+        notes.append(f"Landmark {number} is met to within {miss}.")
+    return tuple(notes)

@@ -1,0 +1,155 @@
+"""From scores to an answer that says how sure it is: probabilities, interval, status, advice."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from ..base.angles import difference, wrap_360
+from .prior import log_ratio
+
+
+@dataclass(frozen=True)
+class PosteriorOptions:
+    """Thresholds of the status.
+
+    Attributes
+    ----------
+    accept_at : float
+        Smallest p_correct of an accepted answer.
+    reject_below : float
+        p_correct below which nothing is said to fit.
+    min_relief_deg : float
+        A horizon flatter than this inside the frame cannot be matched.
+    """
+
+    accept_at: float = 0.85
+    reject_below: float = 0.1
+    min_relief_deg: float = 0.1
+
+
+def answer_probabilities(finding, best_probability):
+    """Share `1 - best_probability` among the other answers by their scores; the rest is 'none of them'."""
+    likelihood = np.exp(table()["temperature"] * (finding.score - finding.score[0]))
+    others = likelihood[1:].sum()
+    share = (1 - best_probability) * likelihood[1:] / (others + 1.0) if others > 0 else np.zeros(0)
+    return np.concatenate([[best_probability], share])
+
+
+def weigh(probability, heading_deg, prior):
+    """Join what the picture says with a belief about the heading (Bayes).
+
+    Parameters
+    ----------
+    probability : (K,) array
+        Of the answers, from the picture alone; what is missing to 1 is 'none of them', spread over the circle.
+    heading_deg : (K,) array
+    prior : prior.HeadingPrior or None
+    """
+    weighted = probability * np.exp(log_ratio(prior, heading_deg))
+    return weighted / (weighted.sum() + max(1 - probability.sum(), 0.0))
+
+
+def interval(finding, probability, mass=0.9, step_deg=0.05):
+    """Shortest arc that holds `mass` of the posterior over the circle.
+
+    The posterior is a Gaussian at each answer with its probability, and a uniform remainder.
+
+    Returns
+    -------
+    lo_deg, hi_deg : float
+        Clockwise from lo to hi [degrees].
+    """
+    factor = table()["sigma_factor"]
+    heading = np.arange(0, 360, step_deg)
+    density = np.full(len(heading), max(1 - probability.sum(), 0.0) / len(heading))
+    for centre, sigma, share in zip(finding.heading_deg, finding.sigma_deg, probability):
+        spread = max(sigma * factor, step_deg)
+        kernel = np.exp(-0.5 * np.square(difference(heading, centre) / spread))
+        density += share * kernel / kernel.sum()
+    total = np.concatenate([[0.0], np.cumsum(np.concatenate([density, density]))])
+    start = np.arange(len(heading))
+    stop = np.searchsorted(total, total[start] + mass * total[len(heading)])
+    length = np.where(stop - start <= len(heading), stop - start, len(heading))
+    # Among equally short arcs the one centred on the best answer.
+    centre = start + length / 2
+    offset = np.abs(difference(centre * step_deg, finding.heading_deg[0]))
+    first = int(np.lexsort((offset, length))[0])
+    return float(wrap_360(heading[first])), float(wrap_360(heading[first] + length[first] * step_deg))
+
+
+def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=False):
+    """Status and the sentence that says why and what to do."""
+    best = probability[0]
+    if finding.relief_deg < options.min_relief_deg and not has_landmarks:
+        return "rejected", (
+            "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
+        )
+    if best >= options.accept_at:
+        return (
+            "accepted",
+            f"The horizon fits along {100 * finding.explained:.0f} % of the columns, and no other heading comes near.",
+        )
+    if best < options.reject_below:
+        return "rejected", (
+            "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, "
+            "a landmark or an approximate heading."
+        )
+    rival = f"{wrap_360(finding.heading_deg[1]):.0f} degrees" if len(finding.heading_deg) > 1 else "another heading"
+    if len(probability) > 1 and probability[1] > 0.5 * (1 - best):
+        return "ambiguous", (
+            f"{rival} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark."
+        )
+    return "ambiguous", (
+        "The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."
+    )
+
+
+TABLE_PATH = Path(__file__).with_name("calibration.json")
+LARGEST_STANDARD = 3.0
+"""Features are cut at this many standard deviations: beyond what the table has seen nothing becomes surer."""
+
+
+def features(finding):
+    """What tells right answers from wrong ones, by name."""
+    top = max(float(finding.score[0]), 1e-3)
+    return {
+        "relative_gap": min(max(finding.gap, 0.0) / top, 0.5),
+        "score": top,
+        "explained": finding.explained,
+        "log_relief": float(np.log(max(finding.relief_deg, 0.02))),
+        "log_misfit": float(np.log(max(finding.residual_px, 0.2) / max(finding.terrain_px, 0.2))),
+        "sureness": finding.sureness,
+        "log_hfov": float(np.log(finding.hfov_deg)),
+    }
+
+
+@lru_cache(maxsize=1)
+def table():
+    """The shipped table as plain values."""
+    return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
+
+
+def p_correct(finding, calibration=None):
+    """Probability that the best answer is within 3 degrees of the truth.
+
+    The regression's word, but never more than the best answer's share of the likelihood among all answers: whatever
+    else speaks for a fit, of two equal ones each is right half the time.
+    """
+    calibration = calibration or table()
+    values = features(finding)
+    total = calibration["bias"]
+    for name, entry in calibration["features"].items():
+        standard = (values[name] - entry["mean"]) / entry["spread"]
+        total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
+    return float(min(1 / (1 + np.exp(-total)), likelihood_share(finding.score, calibration["temperature"])))
+
+
+def likelihood_share(score, temperature):
+    """Share of the first of some scores in the sum of their likelihoods exp(temperature * score)."""
+    score = np.asarray(score, float)
+    return float(1 / np.exp(temperature * (score - score[0])).sum())

@@ -1,0 +1,143 @@
+"""What is believed before the fit: about the lens, the heading, and single pixels of the picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.angles import difference, wrap_360
+from ..base.camera import FOCAL_SIGMA, Camera
+
+TYPICAL_POSITION_ERROR_M = 8.0
+"""Standard deviation of a phone's GPS under open sky."""
+
+
+@dataclass(frozen=True)
+class HeadingPrior:
+    """A soft belief about the heading, from a compass or a person.
+
+    Attributes
+    ----------
+    heading_deg : float
+        True [degrees].
+    sigma_deg : float
+        Spread of the core [degrees].
+    outlier_share : float
+        Probability that it is worthless (uniform over the circle).
+    faults : tuple of (float, float)
+        Known ways to be wrong: a turn [degrees] to add to `heading_deg`, and its probability.
+    """
+
+    heading_deg: float
+    sigma_deg: float
+    outlier_share: float = 0.1
+    faults: tuple = ()
+
+
+@dataclass(frozen=True)
+class Landmark:
+    """A pixel of the full upright picture whose direction from the eye is known.
+
+    Attributes
+    ----------
+    x_px, y_px : float
+    azimuth_deg, elevation_deg : float
+        True azimuth and elevation angle of the map point seen from the eye [degrees].
+    sigma_px : float
+        Precision of the click [pixels].
+    """
+
+    x_px: float
+    y_px: float
+    azimuth_deg: float
+    elevation_deg: float
+    sigma_px: float = 5.0
+
+
+@dataclass(frozen=True)
+class CameraPrior:
+    """What is known of the lens before the fit.
+
+    Attributes
+    ----------
+    camera : Camera
+        Of the full upright picture.
+    focal_sigma : float
+        Relative standard deviation of the focal length.
+    """
+
+    camera: Camera
+    focal_sigma: float = FOCAL_SIGMA
+
+
+def log_ratio(prior, heading_deg):
+    """Log of the prior's density over the uniform one, at headings [degrees].
+
+    A Gaussian core, its copies at the prior's known faults (a phone held the other way turns its compass by 90
+    degrees), and a uniform share: never below the log of that share, so that no prior can forbid an answer.
+    """
+    heading_deg = np.asarray(heading_deg, float)
+    if prior is None:
+        return np.zeros(heading_deg.shape)
+    core_share = 1 - prior.outlier_share - sum(share for _, share in prior.faults)
+    density = np.full(heading_deg.shape, float(prior.outlier_share))
+    for turn, share in ((0.0, core_share), *prior.faults):
+        density = density + share * _gaussian_ratio(difference(heading_deg, prior.heading_deg + turn), prior.sigma_deg)
+    return np.log(np.maximum(density, 1e-12))
+
+
+def _gaussian_ratio(turn_deg, sigma_deg):
+    return 360 / (np.sqrt(2 * np.pi) * sigma_deg) * np.exp(-0.5 * np.square(turn_deg / sigma_deg))
+
+
+@dataclass(frozen=True)
+class CompassOptions:
+    """Belief in a recorded heading.
+
+    Attributes
+    ----------
+    sigma_deg : float
+        Spread of the core [degrees].
+    outlier_share : float
+        Readings that say nothing.
+    quarter_turn_share, half_turn_share : float
+        Readings that are off by 90 degrees to either side (each), and by 180 degrees.
+    """
+
+    sigma_deg: float = 10.0
+    outlier_share: float = 0.1
+    quarter_turn_share: float = 0.02
+    half_turn_share: float = 0.01
+
+    def __post_init__(self):
+        if not self.sigma_deg >= 5:
+            raise ValueError(f"no phone's compass is better than 5 degrees in the mountains, not {self.sigma_deg}")
+        if not 0 < self.outlier_share + 2 * self.quarter_turn_share + self.half_turn_share < 1:
+            raise ValueError("the shares of bad readings must add up to between 0 and 1")
+
+
+def true_heading_deg(metadata, declination_deg=None):
+    """Recorded heading against true north [degrees], or None where there is none or it cannot be turned to true.
+
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+        A reading without a reference is taken as true.
+    declination_deg : float or None
+        Bearing of magnetic north at the photo's place and time, east of true north positive [degrees].
+    """
+    if metadata.compass_heading_deg is None:
+        return None
+    if metadata.compass_reference != "M":
+        return float(wrap_360(metadata.compass_heading_deg))
+    return None if declination_deg is None else float(wrap_360(metadata.compass_heading_deg + declination_deg))
+
+
+def compass_prior(heading_deg, options=CompassOptions()):
+    """Turn a true compass heading [degrees] into a soft prior with quarter-turn faults; None stays None."""
+    if heading_deg is None:
+        return None
+    quarter, half = options.quarter_turn_share, options.half_turn_share
+    faults = ((90.0, quarter), (-90.0, quarter), (180.0, half))
+    return HeadingPrior(float(heading_deg), options.sigma_deg, options.outlier_share, faults)

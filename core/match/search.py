@@ -1,0 +1,231 @@
+"""Coarse search over all headings and pitches at once, by correlation of azimuth-elevation rasters.
+
+For a trial pitch and roll the evidence is resampled from the picture to relative azimuth and elevation by the
+exact pinhole. A heading is then a shift in azimuth and a small change of pitch a shift in elevation, so that the
+score of every heading is one circular correlation with the DEM's horizon drawn as a line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import fft
+
+from ..base import imaging
+from ..base.camera import Pose, project
+from ..base.progress import SILENT, checkpoint
+from .likelihood import EDGE_ROW
+
+ELEVATION_RANGE_DEG = (-60.0, 85.0)
+"""Elevation angles of the raster; horizons from inside gorges rise above 50 degrees."""
+
+ABOVE_FRAME_DEG = 10.0
+"""How far above the picture a horizon may lie and still count as leaving it."""
+
+
+@dataclass(frozen=True)
+class SearchOptions:
+    """Grid of the coarse search.
+
+    Attributes
+    ----------
+    step_deg : float
+        Of the raster in azimuth and elevation.
+    tolerance_deg : float
+        Blur of the evidence.
+    pitch_step_deg : float
+        Between resamplings; smaller shifts of pitch come from the raster.
+    largest_roll_deg : float
+        Trial rolls reach so far to both sides, and lie as close as the field and the tolerance ask: in a wide picture a
+        roll between two of them would lift one side of the horizon and lower the other out of reach.
+    keep, separation_deg : int, float
+        Candidates handed on and their smallest distance.
+    narrow_deg : float
+        Fields of view below this, and skylines whose relief is below a step, are searched at half the step, with more
+        and closer candidates: they hold few steps, and a rival that is missed makes a wrong answer look sure. Where
+        the relief is below half a step, as over the sea, at a quarter of it.
+    """
+
+    step_deg: float = 0.4
+    tolerance_deg: float = 0.3
+    pitch_step_deg: float = 3.0
+    largest_roll_deg: float = 8.0
+    keep: int = 60
+    separation_deg: float = 2.0
+    narrow_deg: float = 24.0
+
+    def for_picture(self, hfov_deg, relief_deg):
+        """Options for a picture's field of view and the relief of its skyline."""
+        fine = hfov_deg < self.narrow_deg or relief_deg < self.step_deg
+        halvings = 2 if relief_deg < 0.5 * self.step_deg else int(fine)
+        if not halvings:
+            return self
+        return replace(
+            self,
+            step_deg=0.5**halvings * self.step_deg,
+            tolerance_deg=0.67**halvings * self.tolerance_deg,
+            keep=int(1.5**halvings * self.keep),
+            separation_deg=0.75**halvings * self.separation_deg,
+        )
+
+    def rolls_deg(self, hfov_deg):
+        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.5 tolerances (rms)."""
+        columns_rms_deg = hfov_deg / np.sqrt(12)
+        half_step = np.degrees(np.arctan(1.5 * self.tolerance_deg / columns_rms_deg))
+        count = max(int(np.ceil(self.largest_roll_deg / (2 * half_step))), 1)
+        return np.linspace(-self.largest_roll_deg, self.largest_roll_deg, 2 * count + 1)
+
+    def __post_init__(self):
+        if not 0 < self.step_deg <= 2 or not self.largest_roll_deg > 0 or self.keep < 1:
+            raise ValueError(f"unusable search grid {self}")
+
+
+@dataclass(frozen=True, eq=False)
+class CoarseResult:
+    """Scores of the coarse search.
+
+    Attributes
+    ----------
+    heading_deg, score : (N,) arrays
+        Best score over pitch and roll for every heading of the grid.
+    candidates : (K, 3) array
+        Heading, pitch, roll of distinct peaks, best first [degrees].
+    """
+
+    heading_deg: np.ndarray
+    score: np.ndarray
+    candidates: np.ndarray
+
+
+def coarse_search(stack, camera, curve, probability, options=SearchOptions(), progress=SILENT, belief=None):
+    """Score all headings and pitches.
+
+    Parameters
+    ----------
+    stack : EvidenceStack
+    camera : Camera
+        Of the reduced picture.
+    curve : HorizonCurve
+    probability : (h, w) array
+        p(row | column): tells which pitches are worth trying.
+    belief : callable or None
+        Headings (N,) [degrees] -> what is added to their scores when the candidates are chosen; the curve keeps what
+        the picture alone says.
+
+    Returns
+    -------
+    CoarseResult
+    """
+    step = options.step_deg
+    count = int(round(360 / step))
+    heading = np.arange(count) * step
+    elevation = curve.elevation_at(heading)
+    line = _drawn_line(elevation, step, curve.known[curve.nearest(heading)])
+    drawn, held = fft.rfft(line, axis=1), _rows_held(line)
+    evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
+    # One more row, which stands for all that is above the picture.
+    evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
+    pitches = _trial_pitches(probability, camera, elevation, options.pitch_step_deg)
+    rolls = options.rolls_deg(camera.hfov_deg)
+    best = np.full(count, -np.inf)
+    best_pitch, best_roll = np.zeros(count), np.zeros(count)
+    for index, pitch in enumerate(pitches):
+        checkpoint(progress, index / len(pitches))
+        for roll in rolls:
+            scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, held, step, options.pitch_step_deg)
+            winner = scores.argmax(axis=0)
+            top = scores[winner, np.arange(count)]
+            better = top > best
+            best[better] = top[better]
+            best_pitch[better] = pitch + shifts[winner[better]] * step
+            best_roll[better] = roll
+    wanted = best if belief is None else best + belief(heading)
+    peaks = distinct_peaks(heading, wanted, options.keep, options.separation_deg)
+    candidates = np.column_stack([heading[peaks], best_pitch[peaks], best_roll[peaks]])
+    return CoarseResult(heading, best, candidates)
+
+
+def distinct_peaks(heading_deg, score, keep, separation_deg):
+    """Indices of the best headings on a regular circle, at least `separation_deg` apart, best first."""
+    remaining = np.array(score, float)
+    step = 360.0 / len(remaining)
+    reach = int(np.ceil(separation_deg / step)) - 1
+    peaks = []
+    while len(peaks) < keep:
+        peak = int(remaining.argmax())
+        if not np.isfinite(remaining[peak]):
+            break
+        peaks.append(peak)
+        remaining[np.arange(peak - reach, peak + reach + 1) % len(remaining)] = -np.inf
+    return np.array(peaks, int)
+
+
+def _drawn_line(elevation_deg, step, known):
+    """The horizon as a line one pixel wide, shared between the two nearest rows; (rows, N) float32."""
+    low, high = ELEVATION_RANGE_DEG
+    rows = int((high - low) / step)
+    position = np.clip((elevation_deg - low) / step, 0, rows - 2)
+    first = position.astype(int)
+    fraction = position - first
+    line = np.zeros((rows, len(elevation_deg)), np.float32)
+    azimuth = np.arange(len(elevation_deg))
+    line[first, azimuth] = (1 - fraction) * known
+    line[first + 1, azimuth] = fraction * known
+    return line
+
+
+def _rows_held(line):
+    """First and last row that holds any of the horizon; the others have nothing to be correlated with."""
+    rows = np.flatnonzero(line.any(axis=1))
+    return (int(rows[0]), int(rows[-1])) if len(rows) else (0, 0)
+
+
+def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
+    """Pitches that bring the rows with evidence onto elevations that the horizon has."""
+    mass = probability.sum(axis=1)
+    share = np.cumsum(mass) / mass.sum()
+    top, bottom = np.searchsorted(share, [0.03, 0.97])
+    _, centre_y = camera.centre_px
+    above = np.degrees(np.arctan((centre_y - top) / camera.focal_px))
+    below = np.degrees(np.arctan((centre_y - bottom) / camera.focal_px))
+    low = np.percentile(elevation_deg, 2) - above
+    high = np.percentile(elevation_deg, 98) - below
+    count = max(int(np.ceil((high - low) / pitch_step_deg)), 1)
+    return np.clip(low + (np.arange(count) + 0.5) * (high - low) / count, -60.0, 60.0)
+
+
+def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, held, step, pitch_step_deg):
+    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
+
+    The first row of `evidence` stands for all that is above the picture.
+    """
+    height, width = evidence.shape[0] - 1, evidence.shape[1]
+    half_diagonal = np.degrees(np.arctan(np.hypot(width, height) / 2 / camera.focal_px))
+    reach = int(np.ceil((half_diagonal + 1) / step))
+    offset = np.arange(-reach, reach + 1) * step
+    rows, count = drawn.shape[0], (drawn.shape[1] - 1) * 2
+    half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
+    low = ELEVATION_RANGE_DEG[0]
+    half = int(np.ceil(pitch_step_deg / 2 / step))
+    shifts = np.arange(-half, half + 1)
+    first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), held[0] - half)
+    last = min(int(np.ceil((pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), held[1] + half)
+    first, last = max(first, 0), min(last, rows - 1)
+    if first > last:
+        return np.zeros((len(shifts), count), np.float32), shifts
+    elevation = low + np.arange(first, last + 1) * step
+    x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
+    y = np.maximum(y + EDGE_ROW, -1) + 1
+    seen = imaging.sample_bilinear(evidence, np.nan_to_num(x, nan=-9), np.nan_to_num(y, nan=-9))
+    # d(column)/d(azimuth): every picture column counts the same.
+    seen *= (np.radians(step) * camera.focal_px / np.cos(np.radians(offset)) ** 2 / width)[None, :]
+    raster = np.zeros((len(elevation), count), np.float32)
+    raster[:, np.arange(-reach, reach + 1) % count] = seen
+    spectrum = np.conj(fft.rfft(raster, axis=1))
+    product = np.zeros((len(shifts), spectrum.shape[1]), np.complex64)
+    for index, shift in enumerate(shifts):
+        start, stop = max(first + shift, 0), min(last + 1 + shift, rows)
+        part = slice(start - shift - first, stop - shift - first)
+        product[index] = np.einsum("ea,ea->a", drawn[start:stop], spectrum[part])
+    return fft.irfft(product, n=count, axis=1), shifts

@@ -1,0 +1,1 @@
+"""The published method of Twarog, complete and separate from the default method."""

@@ -1,0 +1,133 @@
+"""The HTML report of horizon profiles: one card per place, its horizon drawn, its numbers said."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..figures.profile import horizon_profile_svg
+from ..figures.text import azimuth, degrees, escape, with_unit
+from .facts import percent
+from .overview import badge
+from .page import DEFAULT_SOFTWARE, MemoryDocument, PageWriter, fact_table
+
+MOST_WITH_FIGURES = 2_000
+"""Places drawn; a page of more would be hard to open."""
+
+
+class HorizonReportWriter(PageWriter):
+    """Write a report place by place; see `PageWriter` for the parameters and the use as a context manager."""
+
+    def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
+        super().__init__(document, title, parameters, software=software, created=created, say=say)
+        self._rows = []
+
+    def add(self, name, horizon, longitude_deg=None, latitude_deg=None, sky_view_factor=None, extras=None):
+        """Append the card of one place.
+
+        Parameters
+        ----------
+        name : str
+            What the place is called; any text.
+        horizon : HorizonProfile
+        longitude_deg, latitude_deg : float or None
+            WGS 84 [degrees].
+        sky_view_factor : float or None
+            0 to 1.
+        extras : mapping or None
+            Further labels and values.
+        """
+        say = self._say
+        self._rows.append((name, _facts(horizon, sky_view_factor, say)))
+        number = len(self._rows)
+        rows = [(say("Latitude"), degrees(latitude_deg, 6)), (say("Longitude"), degrees(longitude_deg, 6))]
+        rows += [(label, words) for label, _, words in self._rows[-1][1]]
+        rows += [(str(label), str(value)) for label, value in (extras or {}).items()]
+        drawing = horizon_profile_svg(horizon, width=1280, height=240, say=say) if number <= MOST_WITH_FIGURES else ""
+        half = -(-len(rows) // 2)
+        tables = fact_table(say("Place and horizon"), rows[:half]) + fact_table(say("Eye and DEM"), rows[half:])
+        self._document.write(
+            f'<article class="card item is-place" id="place-{number}"><header>'
+            f'<h2><bdi>{escape(name)}</bdi></h2></header>{drawing}<div class="numbers">{tables}</div></article>\n'
+        )
+
+    def add_failed(self, name, message):
+        """Append the card of a place that has no horizon, with the reason."""
+        self._rows.append((name, None))
+        self._document.write(
+            f'<article class="card item is-failed" id="place-{len(self._rows)}"><header>'
+            f"{badge('failed', self._say)}<h2><bdi>{escape(name)}</bdi></h2></header>"
+            f'<p class="advice">{escape(message, 1000)}</p></article>\n'
+        )
+
+    def _counts(self):
+        say, count = self._say, len(self._rows)
+        return [say("1 place") if count == 1 else say("{count} places").format(count=count)]
+
+    def _frame(self):
+        return ("", ""), _table(self._rows, self._say), ""
+
+
+def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
+    """Write the report of a few places as one text.
+
+    Parameters
+    ----------
+    places : iterable of (name, HorizonProfile, longitude_deg, latitude_deg, sky_view_factor)
+        The last three may be None.
+    title, parameters, software, created, say
+        As for `PageWriter`.
+
+    Returns
+    -------
+    str
+        A complete HTML page.
+    """
+    document = MemoryDocument()
+    with HorizonReportWriter(document, title, parameters, software=software, created=created, say=say) as writer:
+        for place in places:
+            writer.add(*place)
+    return document.text
+
+
+def _facts(horizon, sky_view_factor, say):
+    """(label, value to sort by, words) of a horizon."""
+    elevation = np.asarray(horizon.elevation_deg, float)
+    distance = np.asarray(horizon.distance_m, float) / 1000
+    known, far = np.isfinite(elevation), np.isfinite(distance)
+    highest = int(np.argmax(np.where(known, elevation, -np.inf))) if known.any() else None
+    top = None if highest is None else float(elevation[highest])
+    at = None if highest is None else float(horizon.azimuth_deg[highest])
+    mean = float(elevation[known].mean()) if known.any() else None
+    middle = float(np.median(distance[far])) if far.any() else None
+    farthest = float(distance[far].max()) if far.any() else None
+    clipped, void = float(np.mean(horizon.clipped)), float(np.mean(np.asarray(horizon.void, bool) | ~known))
+    return [
+        (say("Highest horizon"), top, degrees(top, 2, signed=True)),
+        (say("at azimuth"), at, azimuth(at)),
+        (say("Mean horizon"), mean, degrees(mean, 2, signed=True)),
+        (say("Median distance"), middle, with_unit(middle, "km", 1)),
+        (say("Farthest"), farthest, with_unit(farthest, "km", 1)),
+        (say("Sky view factor"), sky_view_factor, with_unit(sky_view_factor, "", 3)),
+        (say("Cut by DEM edge"), clipped, percent(clipped)),
+        (say("Void"), void, percent(void)),
+        (say("Eye elevation"), horizon.eye_elevation_m, with_unit(horizon.eye_elevation_m, "m", 1)),
+        (say("Cell"), horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
+    ]
+
+
+def _table(rows, say):
+    labels = next((facts for _, facts in rows if facts), [])
+    heads = "".join(f'<th scope="col" data-numeric class="number">{escape(label)}</th>' for label, _, _ in labels)
+    lines = []
+    for number, (name, facts) in enumerate(rows, 1):
+        cells = "".join(
+            f'<td class="number" data-sort="{"" if value is None else f"{value:.6g}"}">{escape(words)}</td>'
+            for _, value, words in (facts or [(label, None, "–") for label, _, _ in labels])
+        )
+        name_cell = f'<a href="#place-{number}"><bdi>{escape(name)}</bdi></a>'
+        lines.append(f'<tr><td class="name-cell" data-sort="{escape(name)}">{name_cell}</td>{cells}</tr>\n')
+    first = f'<th scope="col">{escape(say("Place"))}</th>'
+    return (
+        f'<section class="panel scroll"><table class="overview sortable"><thead><tr>{first}'
+        f"{heads}</tr></thead><tbody>{''.join(lines)}</tbody></table></section>\n"
+    )

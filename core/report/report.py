@@ -1,0 +1,120 @@
+"""The HTML report of oriented photographs: written card by card, so that ten thousand need no memory for pictures."""
+
+from __future__ import annotations
+
+from ..figures.stations import Station, stations_svg
+from ..figures.text import escape
+from .card import photo_card
+from .facts import STATUSES, status_word, summarise
+from .overview import bar, overview_table, switches
+from .page import DEFAULT_SOFTWARE, MemoryDocument, PageWriter
+
+MOST_ACCEPTED_WITH_FIGURES = 1_000
+"""Accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers only."""
+
+MOST_WITH_FIGURES = 2_000
+"""All photographs drawn in full: the doubtful ones keep their pictures longer."""
+
+
+MOST_ON_PLAN = 1_000
+
+
+class ReportWriter(PageWriter):
+    """Write a report photo by photo; see `PageWriter` for the parameters and the use as a context manager.
+
+    Parameters
+    ----------
+    document, title, parameters, software, created, say
+        As for `PageWriter`.
+    expected_photos : int
+        Decides how far pictures are reduced.
+    """
+
+    def __init__(
+        self,
+        document,
+        title,
+        parameters=None,
+        *,
+        software=DEFAULT_SOFTWARE,
+        created=None,
+        expected_photos=0,
+        say=str,
+    ):
+        super().__init__(document, title, parameters, software=software, created=created, say=say)
+        self._picture_px = picture_width_px(expected_photos)
+        self._summaries, self._stations, self._drawn = [], [], 0
+
+    def add(self, photo, extras=None, panels=None):
+        """Append the card of an `OrientedPhoto`; `extras` maps further labels to values.
+
+        `panels`, uint8 (h, w, 3) pixels, is the figure of where it looks and what ground it shows.
+        """
+        self._summaries.append(summarise(photo))
+        self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
+        most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status == "accepted" else MOST_WITH_FIGURES
+        figures = self._drawn < most
+        self._drawn += figures
+        number = len(self._summaries)
+        self._document.write(photo_card(photo, number, extras, self._picture_px, figures, panels, self._say))
+
+    def _counts(self):
+        counts = [(sum(summary.status == name for summary in self._summaries), name) for name in STATUSES]
+        return [f"{count} {status_word(name, self._say)}" for count, name in counts if count]
+
+    def _frame(self):
+        table = overview_table(self._summaries, self._say)
+        return (switches(), bar(self._summaries, self._say)), table + self._plan(), self._left_out()
+
+    def _plan(self):
+        """The plan of the stations, folded in; the first thousand of them."""
+        say = self._say
+        plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
+        summary = f"<summary>{escape(say('Where the photographs stand and look'))}</summary>"
+        return f'<details class="panel">{summary}{plan}</details>' if plan else ""
+
+    def _left_out(self):
+        missing = len(self._summaries) - self._drawn
+        if not missing:
+            return ""
+        say = self._say
+        words = say(
+            "{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first "
+            "{most} in full ({accepted} accepted ones). Run them in smaller groups to see them all."
+        ).format(count=missing, most=MOST_WITH_FIGURES, accepted=MOST_ACCEPTED_WITH_FIGURES)
+        return f'<p class="panel">{escape(words, 1000)}</p>'
+
+
+def _station(photo, summary, number):
+    where = photo.longitude_deg, photo.latitude_deg
+    return Station(
+        *where, summary.name, summary.status, summary.heading_deg, summary.hfov_deg, anchor=f"photo-{number}"
+    )
+
+
+def picture_width_px(photos):
+    """Width to which pictures are reduced in a report of so many photographs [pixels]."""
+    return 1200 if photos <= 150 else 800 if photos <= 600 else 480
+
+
+def report_html(photos, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
+    """Write the report of a handful of photographs as one text.
+
+    Parameters
+    ----------
+    photos : sequence of OrientedPhoto
+    title, parameters, software, created, say
+        As for `PageWriter`.
+
+    Returns
+    -------
+    str
+        A complete HTML page.
+    """
+    photos, document = list(photos), MemoryDocument()
+    with ReportWriter(
+        document, title, parameters, software=software, created=created, expected_photos=len(photos), say=say
+    ) as writer:
+        for photo in photos:
+            writer.add(photo)
+    return document.text

@@ -1,0 +1,1 @@
+"""Render photographs of a DEM with exactly known pose."""

@@ -1,0 +1,1 @@
+"""From a picture to the rows in which its sky ends."""

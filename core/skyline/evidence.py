@@ -1,0 +1,275 @@
+"""Skyline evidence: for each column, how likely the boundary between sky and terrain lies at each row.
+
+A conditional logit per column: score = weights . features, softmax over the rows. Neighbouring columns see much the
+same pixels, so the log-probabilities are tempered before they are joined along the columns by forward-backward.
+The matcher should use the whole distribution: a column with two likely rows (snow edge, cloud edge) then helps
+whichever heading explains one of them. `best` is for drawing.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from ..base import imaging
+from ..base.errors import SkylineNotFoundError
+from ..base.imaging import thumbnail
+from ..base.model import Skyline, SkylineEvidence
+from .appearance import measure
+from .colour import learn_sky, relearn_sky
+from .features import boundary_features, means_above_below
+from .seam import best_line, row_marginals
+
+WEIGHTS_PATH = Path(__file__).with_name("weights.json")
+SMALLEST_PX = 24
+
+BELIEVABLE = 0.1
+"""Below this chance of being right a column of the best line is masked."""
+
+TOP_ROWS = 2
+"""A line in the first rows is the frame's own edge, not a skyline."""
+
+RIVAL_GAP_PX = 4
+"""A rival lies farther above the best line than this, beyond the line's own uncertainty."""
+
+RIVAL_LEAST = 0.02
+"""And holds more than this of a column's probability."""
+
+RIVAL_SHARE = 0.2
+"""In at least this share of the columns."""
+
+NOWHERE = -100.0
+"""Log-score of a row that is ruled out."""
+
+
+@dataclass(frozen=True)
+class EvidenceOptions:
+    """Parameters of the extraction.
+
+    Attributes
+    ----------
+    work_px : int
+        Long side of the reduced picture; the weights belong to this scale [pixels].
+    colour_passes : int
+        Rounds of learning the colours of sky and ground from the picture's edges alone.
+    refits : int
+        Rounds of learning them again from what the whole extraction then believes.
+    temper : float
+        Exponent of each column's probabilities before they are joined: about one over the number of columns that
+        see the same pixels.
+    step_cost_per_px : float
+        Cost of a step between neighbouring columns, in log-probability per row.
+    jump_share : float
+        Probability of a jump to any row between neighbouring columns.
+    seam_cost_per_px : float
+        The same for the single best line, in units of the untempered score per row.
+    weights : dict of str to float, optional
+        In place of the shipped table: weight per feature name.
+    """
+
+    work_px: int = 512
+    colour_passes: int = 1
+    refits: int = 1
+    temper: float = 0.3
+    step_cost_per_px: float = 0.4
+    jump_share: float = 0.01
+    seam_cost_per_px: float = 0.5
+    weights: dict | None = None
+
+    def __post_init__(self):
+        if self.work_px < 64 or self.colour_passes < 1:
+            raise ValueError(f"work_px must be at least 64 and colour_passes at least 1, not {self}")
+        if not (0 < self.temper <= 1 and 0 < self.jump_share < 1 and self.step_cost_per_px > 0):
+            raise ValueError(f"temper and jump_share must lie in (0, 1), costs above 0, not {self}")
+
+
+def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px=None):  # noqa: B008 - frozen
+    """Estimate where the skyline lies in a picture.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+        Upright RGB, at full size or reduced.
+    options : EvidenceOptions
+    width_px, height_px : int, optional
+        Size of the full picture where `pixels` is a reduced copy [pixels].
+
+    Returns
+    -------
+    SkylineEvidence
+        Row y of `probability` stands for "the first terrain pixel is y": the boundary is the upper edge of that
+        pixel, at y - 0.5 when pixel centres are whole numbers.
+
+    Raises
+    ------
+    SkylineNotFoundError
+        The picture is too small or shows nothing at all.
+    """
+    height, width = pixels.shape[:2]
+    reduced = _reduce(pixels, options.work_px)
+    crop = top, bottom, left, right = find_crop(reduced)
+    inner = reduced[top : reduced.shape[0] - bottom, left : reduced.shape[1] - right]
+    if min(inner.shape[:2]) < SMALLEST_PX:
+        raise SkylineNotFoundError(f"The picture is only {width} x {height} pixels.")
+    if float(inner.max() - inner.min()) < 3:
+        raise SkylineNotFoundError("The picture has a single colour.")
+    appearance = measure(inner)
+    ratio = learn_sky(appearance, options.colour_passes)
+    score, probability = _believe(appearance, ratio, options)
+    for _ in range(options.refits):
+        ratio = relearn_sky(appearance, probability, ratio)
+        score, probability = _believe(appearance, ratio, options)
+    line = best_line(score, options.seam_cost_per_px)
+    evidence = SkylineEvidence(
+        **_laid_out(probability, line, crop, reduced.shape),
+        width_px=width_px or width,
+        height_px=height_px or height,
+        crop=crop,
+        sky_score=_framed(ratio, crop, reduced.shape, 0),
+        ridge_score=_framed(_ridges(appearance, probability), crop, reduced.shape, 0),
+        thumbnail=thumbnail(reduced, crop),
+    )
+    rival = _rival(score, probability, line, options)
+    if rival is None:
+        return evidence
+    return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
+
+
+def _laid_out(probability, line, crop, shape):
+    """What evidence holds of one belief about the skyline, in the frame of the whole reduced picture."""
+    inside, leaves_frame = _cut_ridges_apart(probability)
+    return {
+        "probability": _framed(inside, crop, shape),
+        "best": _skyline(line, probability, crop, shape),
+        "leaves_frame": np.pad(leaves_frame, crop[2:]),
+    }
+
+
+def _rival(score, probability, line, options):
+    """Probability and line once more, with all rows above the best line alone; None where little is there."""
+    rows = np.arange(len(score))[:, None]
+    above = (rows < line - RIVAL_GAP_PX) & (rows > 0)
+    held = np.where(above, np.exp(score), 0).sum(0) > RIVAL_LEAST
+    if held.mean() < RIVAL_SHARE:
+        return None
+    score = np.where(above, score, NOWHERE)
+    marginal = row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
+    rival = best_line(score, options.seam_cost_per_px)
+    return np.where(held, marginal, probability), np.where(held, rival, line)
+
+
+def _believe(appearance, ratio, options):
+    """Score of each row by its column alone, and probability by all columns, both (H, W)."""
+    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
+    return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
+
+
+def log_probability(features, weights):
+    """Log of p(row | column) from each column's own features, (H, W): weighted sum and softmax over the rows."""
+    score = sum(np.float32(weight) * features[name] for name, weight in weights.items())
+    score = score - score.max(0)
+    return score - np.log(np.exp(score).sum(0))
+
+
+@lru_cache(maxsize=1)
+def shipped_weights():
+    """The table that `tools/fit_skyline.py` wrote: weight per feature name."""
+    return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
+
+
+def _reduce(pixels, work_px):
+    height, width = pixels.shape[:2]
+    factor = min(1.0, work_px / max(height, width, 1))
+    if min(height, width) * factor < SMALLEST_PX:
+        raise SkylineNotFoundError(f"The picture is only {width} x {height} pixels.")
+    return imaging.shrink_to(pixels[..., :3], work_px)
+
+
+def _cut_ridges_apart(probability):
+    """Probability of the rows inside the frame, and per column that the ridge leaves it (row 0)."""
+    inside = probability.copy()
+    inside[0] = 0
+    return inside, probability[0].astype(np.float32)
+
+
+def _skyline(line, probability, crop, shape):
+    """The best line with, per column, the probability that it is right to about half a per cent of the height."""
+    top, _, left, _ = crop
+    inner_height, inner_width = probability.shape
+    reach = max(2, round(0.005 * inner_height))
+    total = np.vstack([np.zeros(inner_width), probability.cumsum(0)])
+    columns = np.arange(inner_width)
+    low, high = np.maximum(line - reach, 0), np.minimum(line + reach + 1, inner_height)
+    inside = total[high, columns] - total[low, columns]
+    believed = (inside >= BELIEVABLE) & (line > TOP_ROWS) & (probability[0] < 0.5)
+    row_px = np.interp(np.arange(shape[1]), columns + left, line + float(top))
+    confidence = np.zeros(shape[1])
+    confidence[left : left + inner_width] = np.where(believed, np.clip(inside, 0, 1), 0)
+    return Skyline(row_px, confidence, shape[1], shape[0])
+
+
+def _ridges(appearance, probability):
+    """Long edges that stand out from their surroundings, where the picture is likely below the skyline."""
+    strength = np.expm1(appearance.long_edges[6])
+    above, below = means_above_below(strength, 24)
+    standing_out = np.log((strength + 0.2) / ((above + below) / 2 + 0.2))
+    return np.maximum(standing_out, 0) * np.clip(probability.cumsum(0), 0, 1)
+
+
+def _framed(inner, crop, shape, rows_outside=None):
+    """Put a map back into the frame that was cut off: flat probability beside it, 0 above and below it."""
+    top, bottom, left, right = crop
+    height, width = shape[:2]
+    whole = np.full((height, width), 1 / height if rows_outside is None else rows_outside, np.float32)
+    whole[:, left : width - right] = 0
+    whole[top : height - bottom, left : width - right] = inner
+    return whole
+
+
+TOLERANCE = 24.0
+"""How far a frame's pixels stray from its colour, largest channel [grey levels]."""
+
+DEEPEST_SHARE = 0.3
+"""No side of a frame takes more of the picture than this."""
+
+EXTREME_LEVELS = (40.0, 215.0)
+"""Frames are dark or bright: every channel below the first or above the second [grey levels]."""
+
+
+def find_crop(rgb):
+    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros without one."""
+    rgb = np.asarray(rgb, np.float32)
+    height, width = rgb.shape[:2]
+    if min(height, width) < 32:
+        return 0, 0, 0, 0
+    ring = np.concatenate([rgb[0], rgb[-1], rgb[:, 0], rgb[:, -1]])
+    colour = np.median(ring, 0)
+    if not ((colour < EXTREME_LEVELS[0]).all() or (colour > EXTREME_LEVELS[1]).all()):
+        return 0, 0, 0, 0
+    is_frame = np.abs(rgb - colour).max(2) <= TOLERANCE
+    left, right = _clean_depth(is_frame.mean(0)), _clean_depth(is_frame.mean(0)[::-1])
+    top, bottom = _clean_depth(is_frame.mean(1)), _clean_depth(is_frame.mean(1)[::-1])
+    if left and right:
+        inner = is_frame[:, left : width - right].mean(1)
+        return _depth(inner), _depth(inner[::-1]), left, right
+    if top and bottom:
+        return top, bottom, 0, 0
+    return 0, 0, 0, 0
+
+
+def _depth(share):
+    """Lines until fewer than half the pixels have the frame's colour (a caption's letters leave most of it)."""
+    ended = share < 0.5
+    depth = int(ended.argmax()) if ended.any() else 0
+    return depth if depth <= DEEPEST_SHARE * len(share) else 0
+
+
+def _clean_depth(share):
+    """`_depth` for a side that must be pure frame from its first line on and end within three lines; else 0."""
+    depth = _depth(share)
+    pure = depth - 2 if depth > 2 else depth
+    return depth if depth and share[:pure].min(initial=1.0) >= 0.97 else 0

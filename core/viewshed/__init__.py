@@ -1,0 +1,1 @@
+"""The terrain that is visible from an eye, in full or inside the frame of a photograph."""

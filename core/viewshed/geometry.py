@@ -1,0 +1,267 @@
+r"""A quarter of the view as a sweep sees it: lines of cells moving away from the observer, crossed by straight rays.
+
+In each quarter the lines are whole rows (or columns) of the raster and a cell has two coordinates, `k` lines away
+and `j` cells along its line, both counted from the observer::
+
+        ray of constant u                 w = j / k   where the cell is on its line
+          \\      | k                      u           the ray (a geodesic) that meets the cell
+           \\_____|____ line k             d           true ground distance
+            \\ j  |
+             \\   |                        plane frames:   u = w,  d = k |inverse Jacobian (w, 1)|
+              observer
+
+In every other CRS a geodesic bends a little against the grid and the scale drifts. Both are smooth, so they are
+tabulated from the `LocalFrame` on a coarse grid: `u = w + bend(w, k)` and `d = k rho(w) (1 + stretch(w, k))`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.errors import UnusableDemError
+
+NODES = 65
+"""Nodes of the tables per side."""
+
+NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-5
+"""Rays that bend by less at the far end, over a grid whose scale drifts by less, are taken for straight."""
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """A smooth function over (k, w) on regular nodes; zero where `values` is None.
+
+    Attributes
+    ----------
+    values : (K, W) array or None
+    k_max : float
+        Last node in k; the first is 0 [lines].
+    w_min, w_max : float
+        First and last node in w.
+    """
+
+    values: np.ndarray | None
+    k_max: float
+    w_min: float
+    w_max: float
+
+    def at(self, k, place):
+        """(len(k), n) values at neighbouring distances (linear between first and last) and n places."""
+        low, high = (self.along(self.line(end), place) for end in (k[0], k[-1]))
+        return low + (high - low) * shares(k)[:, None]
+
+    def line(self, k):
+        """(W,) values at one distance, ready for `along`."""
+        place = min(max(float(k) / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
+        low = min(int(place), len(self.values) - 2)
+        return self.values[low] + (self.values[low + 1] - self.values[low]) * (place - low)
+
+    def place(self, w):
+        """(node, share) of each w, ready for `along`."""
+        nodes = self.values.shape[1]
+        place = (w - self.w_min) * ((nodes - 1) / (self.w_max - self.w_min))
+        place = np.minimum(np.maximum(place, 0), nodes - 1)
+        node = np.minimum(place.astype(np.intp), nodes - 2)
+        return node, (place - node).astype(np.float32)
+
+    @staticmethod
+    def along(line, place):
+        """Interpolate a `line` at places on it."""
+        node, share = place
+        low = line.take(node)
+        return low + (line.take(node + 1) - low) * share
+
+
+@dataclass(frozen=True, eq=False)
+class Quarter:
+    """Geometry of one quarter of the view.
+
+    Attributes
+    ----------
+    by_rows : bool
+        Lines are rows of the raster (north and south quarters of a usual one), else columns.
+    sign : int
+        +1 where the lines' row (column) numbers grow with the distance, else -1.
+    origin_line, origin_along : float
+        The observer across and along the lines [pixels of the whole raster].
+    to_metres : (2, 2) array
+        (j, k) -> (east, north) near the observer [m/pixel].
+    bend, stretch : Table
+        Over (k, w) of cells; see the module.
+    ray_bend, ray_stretch : Table
+        The same seen from the ray: w = u + ray_bend(u, k), d = k rho(u) (1 + ray_stretch(u, k)).
+    side_m : (along, line) floats
+        Ground size of the observer's cell [m].
+    w_limit : float
+        The quarter's cells have |w| up to this; the quarters meet at 45 degrees on the ground, not on the grid.
+    u_min, u_max : float
+        Range of rays that cover all cells with |w| <= w_limit.
+    """
+
+    by_rows: bool
+    sign: int
+    origin_line: float
+    origin_along: float
+    to_metres: np.ndarray
+    bend: Table
+    stretch: Table
+    ray_bend: Table
+    ray_stretch: Table
+    side_m: tuple
+    w_limit: float
+    u_min: float
+    u_max: float
+
+    @property
+    def plane(self):
+        """Whether rays are straight and the scale constant."""
+        return self.bend.values is None
+
+    def rho_m(self, w):
+        """Ground distance per line along the direction w at the observer [m]."""
+        (a, b), (c, d) = self.to_metres
+        return np.hypot(a * w + b, c * w + d)
+
+    def azimuth_deg(self, u):
+        """True azimuth of rays in (-180, 180] [degrees]."""
+        (a, b), (c, d) = self.to_metres
+        return np.degrees(np.arctan2(a * u + b, c * u + d))
+
+    def owns(self, j, k):
+        """Whether cells belong to this quarter: every cell but the observer's own point belongs to exactly one."""
+        across, away = np.abs(j) * self.side_m[0], k * self.side_m[1]
+        return across <= away if self.by_rows else across < away
+
+    def to_pixel(self, j, k):
+        """(col, row) of the whole raster."""
+        line, along = self.origin_line + self.sign * k, self.origin_along + j
+        return (along, line) if self.by_rows else (line, along)
+
+
+def shares(k):
+    """Where each of the distances lies between the first (0) and the last (1): float32."""
+    return ((k - k[0]) / max(k[-1] - k[0], 1e-9)).astype(np.float32)
+
+
+def quarters(frame, k_max, touches=None):
+    """Lay the four quarters around a frame's observer.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    k_max : dict
+        Farthest line of each quarter, keyed by (by_rows, sign) [lines]; quarters with less than one are left out.
+    touches : callable or None
+        As of a sector: quarters none of whose azimuths it touches are left out, which spares their tables.
+
+    Returns
+    -------
+    list of Quarter
+
+    Raises
+    ------
+    UnusableDemError
+        The CRS bends sight lines too much within range (a raster in longitude and latitude at a pole).
+    """
+    plane = [_plane(frame, by_rows, sign, far) for (by_rows, sign), far in k_max.items() if far > 0]
+    if touches is not None:  # a quarter's rays bend by less than half its width
+        rays = np.linspace(-1.5, 1.5, 181)
+        plane = [quarter for quarter in plane if touches(quarter.azimuth_deg(rays * quarter.w_limit), 2.0).any()]
+    if frame.remainder_px is None:
+        return plane
+    return [_bent(frame, quarter, k_max[quarter.by_rows, quarter.sign]) for quarter in plane]
+
+
+def _plane(frame, by_rows, sign, k_max):
+    east_north = np.linalg.inv(frame.jacobian_px_per_m)  # columns: per col, per row
+    along, line = (0, 1) if by_rows else (1, 0)
+    to_metres = np.column_stack([east_north[:, along], sign * east_north[:, line]])
+    origin = (frame.col_px, frame.row_px)
+    none = Table(None, k_max, -1.0, 1.0)
+    side = frame.cell_size_m[along], frame.cell_size_m[line]
+    limit = side[1] / side[0]
+    return Quarter(
+        by_rows, sign, origin[line], origin[along], to_metres, none, none, none, none, side, limit, -limit, limit
+    )
+
+
+def _bent(frame, plane, k_max):
+    """Fill a quarter's tables from the frame."""
+    reach = 1.0
+    for _ in range(3):
+        w, bend, stretch = _cell_tables(frame, plane, k_max, reach)
+        core = np.abs(w) <= plane.w_limit * (1.0 + 1e-9)
+        most = float(np.abs(bend[:, core]).max()) / plane.w_limit
+        if not most < 0.5:
+            raise UnusableDemError(
+                "The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). "
+                "Use a DEM in a projected coordinate system, such as UTM or polar stereographic."
+            )
+        if reach >= 1.0 + 2 * most:
+            break
+        reach = 1.0 + 3 * most + 0.02
+    if k_max * most * plane.w_limit < NEGLIGIBLE_PX and np.abs(stretch[:, core]).max() < NEGLIGIBLE_STRETCH:
+        return plane
+    u = w + bend
+    u_min, u_max = float(u[:, core].min()) - 1e-6, float(u[:, core].max()) + 1e-6
+    rays = np.linspace(u_min, u_max, NODES)
+    if not (np.diff(u, axis=1) > 0).all():
+        raise UnusableDemError("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
+    ray_w = np.array([np.interp(rays, u_line, w) for u_line in u])
+    ray_d = np.array([np.interp(at, w, line) for at, line in zip(ray_w, plane.rho_m(w) * (1 + stretch))])
+    frame_of = (k_max, float(w[0]), float(w[-1]))
+    ray_of = (k_max, u_min, u_max)
+    return Quarter(
+        plane.by_rows, plane.sign, plane.origin_line, plane.origin_along, plane.to_metres,
+        Table(bend.astype(np.float32), *frame_of),
+        Table(stretch.astype(np.float32), *frame_of),
+        Table((ray_w - rays).astype(np.float32), *ray_of),
+        Table((ray_d / plane.rho_m(rays) - 1).astype(np.float32), *ray_of),
+        plane.side_m,
+        plane.w_limit,
+        u_min,
+        u_max,
+    )  # fmt: skip
+
+
+def _cell_tables(frame, plane, k_max, reach):
+    """Tabulate w nodes, bend (K, W) and stretch (K, W) of cells up to |w| = reach * w_limit."""
+    w = np.linspace(-reach, reach, 2 * NODES - 1) * plane.w_limit
+    k = np.linspace(0.0, k_max, NODES)[:, None]
+    k = np.maximum(k, 1e-3)
+    col, row = plane.to_pixel(w * k, k)
+    east, north = frame.to_local(col, row, iterations=8)
+    j_line, k_line = np.tensordot(np.linalg.inv(plane.to_metres), np.array([east, north]), axes=1)
+    if not (k_line > 0).all():
+        raise UnusableDemError("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
+    bend = j_line / k_line - w
+    stretch = np.hypot(east, north) / (k * plane.rho_m(w)) - 1
+    bend[0], stretch[0] = 0.0, 0.0
+    return w, bend, stretch
+
+
+def beside(values, index, share):
+    """Interpolate (lines, rays) values between neighbouring rays, `index` counting through the flat array."""
+    flat = values.reshape(-1)
+    low = flat.take(index)
+    high = flat.take(index + 1)
+    high -= low
+    high *= share
+    low += high
+    return low
+
+
+def held_places(whole, first, last):
+    """Indices `first + whole`, held in 0 to `last`, and whether any had to be; they grow along each line."""
+    ends = whole[:, [0, -1]]
+    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them grow backwards by one
+        index = whole.astype(np.int32).astype(np.intp)  # half the time that it takes at once
+        index += first
+        return index, False
+    index = whole.astype(np.intp)
+    index += first
+    np.maximum(index, 0, out=index)  # `np.clip` takes four times as long
+    np.minimum(index, last, out=index)
+    return index, True

@@ -1,0 +1,105 @@
+"""Photographs from one place: the ground is swept once, and each photograph takes its part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.progress import SILENT, checkpoint, subtask
+from .viewshed import ArraySink, Viewshed, ViewshedOptions, mark_observer, sector_window, viewshed
+
+CODE_BITS = 8
+"""Of a cell's value, 0, 1 or 255; the bits above it tell in which sectors the cell lies."""
+
+MOST_SECTORS = 32 - CODE_BITS
+"""Swept together; more are taken in several sweeps."""
+
+
+@dataclass(frozen=True, eq=False)
+class AnyOf:
+    """Everything that lies in at least one of several sectors."""
+
+    sectors: tuple
+
+    selective, azimuth_only = True, False
+    includes_observer = False  # each sector on its own decides it
+
+    @property
+    def azimuth_range_deg(self):
+        """First azimuth and width of a wedge that holds them all [degrees]; the circle where they lie apart."""
+        ranges = [sector.azimuth_range_deg for sector in self.sectors]
+        first = ranges[0][0]
+        low = min((start - first + 180) % 360 - 180 for start, _ in ranges)
+        high = max((start - first + 180) % 360 - 180 + width for start, width in ranges)
+        return (first + low, high - low) if high - low < 360 else (0.0, 360.0)
+
+    def touches(self, azimuth_deg, margin_deg):
+        """See `FullCircle.touches`."""
+        return np.logical_or.reduce([sector.touches(azimuth_deg, margin_deg) for sector in self.sectors])
+
+    def marks(self, azimuth_deg, elevation_deg, distance_m):
+        """One bit per sector for every direction, above a cell's own value: uint32."""
+        marks = np.zeros(np.shape(azimuth_deg), np.uint32)
+        for number, sector in enumerate(self.sectors):
+            inside = sector.accepts(azimuth_deg, elevation_deg, distance_m)
+            marks |= inside.astype(np.uint32) << np.uint32(CODE_BITS + number)
+        return marks
+
+
+class _MarkedSink(ArraySink):
+    """Cells' values with the sectors' marks."""
+
+    def __init__(self, window):
+        super().__init__(window, np.uint32)
+
+
+def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
+    """Viewsheds of several photographs from one place, by one sweep.
+
+    Parameters
+    ----------
+    terrain, observer, options, progress
+        As for `viewshed`.
+    sectors : sequence of FullCircle, Wedge or PhotoFrame
+
+    Yields
+    ------
+    Viewshed
+        One per sector, in order, each whole before the next; cell for cell what `viewshed` gives for it alone.
+    """
+    sectors = tuple(sectors)
+    for first in range(0, len(sectors), MOST_SECTORS):
+        some = sectors[first : first + MOST_SECTORS]
+        share = first / len(sectors), (first + len(some)) / len(sectors)
+        yield from _together(terrain, observer, some, options, subtask(progress, *share))
+
+
+def _together(terrain, observer, sectors, options, progress):
+    if len(sectors) == 1:
+        yield viewshed(terrain, observer, sectors[0], options, progress)
+        return
+    whole = viewshed(terrain, observer, AnyOf(sectors), options, subtask(progress, 0.0, 0.9), _MarkedSink)
+    for number, sector in enumerate(sectors):
+        checkpoint(progress, 0.9 + 0.1 * number / len(sectors))
+        window = sector_window(whole.frame, terrain.shape, sector, options.max_distance_m)
+        sink = ArraySink(window)
+        _take(whole, number, window, sink.values)
+        mark_observer(sink, whole.frame, terrain.shape, sector, options)
+        yield Viewshed(window, sink.values, whole.frame, whole.eye_elevation_m, options, sector)
+
+
+def _take(whole, number, window, values):
+    """Write the cells with one sector's mark into its own window's values."""
+    top, left = max(window.row, whole.window.row), max(window.col, whole.window.col)
+    bottom = min(window.row + window.rows, whole.window.row + whole.window.rows)
+    right = min(window.col + window.cols, whole.window.col + whole.window.cols)
+    if top >= bottom or left >= right:
+        return
+    cells = whole.values[
+        top - whole.window.row : bottom - whole.window.row, left - whole.window.col : right - whole.window.col
+    ]
+    mine = cells >> np.uint32(CODE_BITS + number) & np.uint32(1)
+    values[top - window.row : bottom - window.row, left - window.col : right - window.col] = cells.astype(
+        np.uint8
+    ) * mine.astype(np.uint8)

@@ -1,0 +1,282 @@
+"""The sweep: every cell of a quarter compared once with the line of sight that passes it.
+
+Rays leave the observer so densely that they are a cell apart at the far end. Line by line outwards, each ray is
+sampled between the two cells of the line that it passes and keeps its highest tangent so far; a cell is seen if its
+own tangent reaches that of the two rays beside it, interpolated. Nothing is marked along rays, so no cell is left out.
+
+Most terrain is hidden behind nearer ridges, and there neither cells nor rays change anything. So lines are taken in
+bands, bands are cut into blocks, and a block is looked at only if its highest cell could reach above the lowest ray
+that passes it. This drops 70 to 95 % of the work and nothing of the result.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..base.angles import difference
+from ..base.progress import checkpoint
+from .geometry import Table, beside, held_places, shares
+from .slabs import BAND, CLOSED, NEVER, Blocks, Slabs
+
+VISIBLE, UNKNOWN = 1, 255
+TINY = np.float32(1e-6)
+OUTSIDE, INSIDE, EDGE = np.uint8(0), np.uint8(1), np.uint8(2)
+
+
+@dataclass(frozen=True)
+class SweepOptions:
+    """What the sweep needs to know beyond geometry.
+
+    Attributes
+    ----------
+    eye_m : float
+        Elevation of the eye [m].
+    drop_per_m2 : float
+        Apparent drop over distance squared [1/m].
+    target_height_m : float
+        Added to the cell that is looked at, not to what obstructs [m].
+    min_distance_m, max_distance_m : float
+        Cells nearer or farther are left 0; nearer ground still obstructs [m].
+    near_skip_cells : float
+        Ground nearer than this many lines does not obstruct [cells].
+    rays_per_cell : float
+        Density of the rays at the far end.
+    voids_block : bool
+        Cells seen across a void become unknown; otherwise voids are taken for holes in the obstruction.
+    """
+
+    eye_m: float
+    drop_per_m2: float
+    target_height_m: float
+    min_distance_m: float
+    max_distance_m: float
+    near_skip_cells: float
+    rays_per_cell: float
+    voids_block: bool
+
+
+@dataclass(frozen=True, eq=False)
+class _Passed:
+    """Rays of one band: (lines, rays) arrays.
+
+    `before`: highest tangent before each line (one row more, for after the last); `distance` [m]; `crossed`: a void
+    lies before the line, or None; `compact`: place of every ray of the quarter among these.
+    """
+
+    before: np.ndarray
+    distance: np.ndarray
+    crossed: np.ndarray | None
+    compact: np.ndarray
+
+
+class QuarterSweep:
+    """State and steps of one quarter's sweep."""
+
+    def __init__(self, terrain, quarter, window, k_max, sector, options, sink):
+        self.terrain, self.quarter, self.window, self.k_max = terrain, quarter, window, k_max
+        self.sector, self.options, self.sink = sector, options, sink
+        spacing = 1.0 / max(k_max * options.rays_per_cell, 8.0)
+        count = int(np.ceil((quarter.u_max - quarter.u_min) / spacing)) + 3
+        self.u_first, self.spacing = quarter.u_min - spacing, spacing
+        self.u = (self.u_first + spacing * np.arange(count)).astype(np.float32)
+        self.highest = np.full(count, NEVER)
+        azimuth = quarter.azimuth_deg(self.u)
+        self.open = sector.touches(azimuth, 2 * float(np.abs(difference(azimuth[1:], azimuth[:-1])).max()))
+        self.highest[~self.open] = CLOSED
+        self.between = _between(sector, azimuth) if sector.selective and sector.azimuth_only else None
+        self.crossed_void = np.zeros(count, bool)
+        self.rho = quarter.rho_m(self.u).astype(np.float32)
+        if not quarter.plane:
+            self.ray_place = quarter.ray_bend.place(self.u)
+        self.along_whole = int(np.floor(quarter.origin_along))
+        self.along_part = np.float32(quarter.origin_along - self.along_whole)
+
+    def run(self, progress):
+        """Sweep the quarter outwards, slab by slab."""
+        if not self.open.any():
+            return
+        self.slabs = Slabs(self.terrain, self.quarter, self.window, self.u, self.open)
+        for lines in self.slabs.lines():
+            k_last = abs(lines[-1] - self.quarter.origin_line)
+            checkpoint(progress, min(1.0, (k_last / self.k_max) ** 2))
+            slab = self.slabs.read(lines)
+            if slab is not None:
+                self._sweep_slab(lines, *slab)
+
+    def _sweep_slab(self, lines, cells, start):
+        result = np.zeros(cells.shape, self.sink.dtype)
+        used = np.zeros(cells.shape[1] // BAND, bool)
+        for part in self._bands(lines):
+            used[self._sweep_band(lines[part], cells[part], start, result[part])] = True
+        edges = BAND * np.flatnonzero(np.diff(used, prepend=False, append=False))
+        for first, last in zip(edges[::2].tolist(), edges[1::2].tolist()):  # all else is 0
+            window, inner = self.slabs.place(lines, start + first, last - first)
+            values = result[:: self.quarter.sign, first:last][:, inner]
+            self.sink.add(window, values if self.quarter.by_rows else values.T)
+
+    @staticmethod
+    def _bands(lines):
+        """Slices of a slab's lines that lie in one band each."""
+        change = np.flatnonzero(np.diff(lines // BAND)) + 1
+        edges = [0, *change, len(lines)]
+        return [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
+
+    def _sweep_band(self, lines, cells, start, result):
+        """Find the blocks that matter, then sample their rays and judge their cells; give these blocks."""
+        k = np.abs(lines - self.quarter.origin_line)
+        blocks = Blocks(self, k, cells, start)
+        if not len(blocks.active):
+            return blocks.active
+        rays, compact = blocks.rays()
+        if len(rays) < 2:
+            return blocks.active[:0]
+        passed = self._sample_rays(k, cells, start, rays, compact)
+        self._judge_cells(k, cells, start, blocks.active, passed, result)
+        return blocks.active
+
+    def _sample_rays(self, k, cells, start, rays, compact):
+        """Raise the chosen rays and give what the cells of the band need of them."""
+        options = self.options
+        k32 = k.astype(np.float32)[:, None]
+        position = self.u[rays] * k32
+        distance = self.rho[rays] * k32
+        if not self.quarter.plane:
+            place = tuple(part[rays] for part in self.ray_place)
+            position += self.quarter.ray_bend.at(k, place) * k32
+            distance *= 1 + self.quarter.ray_stretch.at(k, place)
+        position += self.along_part
+        low = np.floor(position)
+        position -= low
+        width = cells.shape[1]
+        index, _ = held_places(low, self.along_whole - start, width - 2)
+        index += (np.arange(len(k)) * width)[:, None]
+        flat = cells.reshape(-1)
+        tangent = flat.take(index)
+        index += 1
+        position *= flat.take(index) - tangent
+        tangent += position
+        tangent -= np.float32(options.eye_m)
+        tangent /= distance
+        tangent -= distance * np.float32(options.drop_per_m2)
+        tangent[k < options.near_skip_cells] = NEVER
+        crossed = None
+        unknown = np.isnan(tangent)
+        if unknown.any():
+            tangent[unknown] = NEVER
+        if unknown.any() or self.crossed_void.any():
+            crossed = np.logical_or.accumulate(np.vstack([self.crossed_void[None, rays], unknown]), axis=0)
+            self.crossed_void[rays] = crossed[-1]
+        before = np.empty((len(k) + 1, len(rays)), np.float32)
+        before[0] = self.highest[rays]
+        for line in range(len(k)):  # five times faster than `accumulate` along the first axis
+            np.maximum(before[line], tangent[line], out=before[line + 1])
+        self.highest[rays] = before[-1]
+        return _Passed(before, distance, crossed, compact)
+
+    def _judge_cells(self, k, cells, start, active, passed, result):
+        options, quarter = self.options, self.quarter
+        along = (active[:, None] * BAND + np.arange(BAND)).reshape(-1)
+        count = len(k)
+        elevation = cells.reshape(count, -1, BAND)[:, active].reshape(count, -1)
+        k32 = k.astype(np.float32)[:, None]
+        j = (along + (start - self.along_whole)).astype(np.float32) - self.along_part
+        w = j / k32
+        ray = w - np.float32(self.u_first)
+        if not quarter.plane:
+            place = quarter.bend.place(j / np.float32(k.mean()))
+            ray += quarter.bend.at(k, place)
+        ray *= np.float32(1 / self.spacing)
+        whole = np.trunc(ray)
+        index, held = held_places(whole, 0, len(self.u) - 2)
+        ray -= index if held else whole
+        if held:
+            np.maximum(ray, np.float32(0), out=ray)
+            np.minimum(ray, np.float32(1), out=ray)
+        between = None if self.between is None else self.between.take(index)
+        index = passed.compact.take(index)
+        index += (np.arange(count) * passed.before.shape[1])[:, None]
+        limit = beside(passed.before, index, ray)
+        if quarter.plane:
+            distance = _length(quarter.to_metres.astype(np.float32), j, k32)
+        else:  # the rays' own distances: a table of the cells' would differ in the seventh digit, and that shows
+            distance = beside(passed.distance, index, ray)
+        tangent = elevation + np.float32(options.target_height_m - options.eye_m)
+        tangent /= distance
+        tangent -= distance * np.float32(options.drop_per_m2)
+        mine = self._mine(along + start, k, distance)
+        if self.sink.wants_clearance:
+            value = (tangent - limit) * distance
+            value[value == 0] = TINY  # 0 is kept for cells that are not asked about
+            value[~mine] = 0
+            self._scatter(result, active, value)
+            return
+        seen = tangent >= limit
+        seen &= mine
+        value = seen.astype(np.uint8)
+        if passed.crossed is not None and options.voids_block:
+            crossed = passed.crossed.reshape(-1)
+            value[seen & (crossed.take(index) | crossed.take(index + 1))] = UNKNOWN
+        unknown = np.isnan(elevation)
+        if unknown.any():
+            value[unknown & mine] = UNKNOWN
+        if self.between is not None:
+            value[between == OUTSIDE] = 0
+            asked = between == EDGE
+            self._select(np.where(asked, value, 0), value, k, w, distance, tangent)
+        elif self.sector.selective:
+            value = value.astype(self.sink.dtype, copy=False)
+            self._select(value, value, k, w, distance, tangent)
+        self._scatter(result, active, value)
+
+    def _mine(self, along, k, distance):
+        """Cells of this quarter within the range of distances."""
+        mine = self.quarter.owns(along - self.quarter.origin_along, k[:, None])
+        if distance.max() > self.options.max_distance_m:
+            mine &= distance <= self.options.max_distance_m
+        if distance.min() < self.options.min_distance_m:
+            mine &= distance >= self.options.min_distance_m
+        return mine
+
+    def _select(self, asked, value, k, w, distance, tangent):
+        """Ask the sector about cells that are seen or unknown, one by one; a set of sectors leaves its marks."""
+        line, cell = np.divmod(np.flatnonzero(asked), asked.shape[1])  # faster than np.nonzero in two dimensions
+        if not len(line):
+            return
+        u = w[line, cell].astype(np.float64)
+        if not self.quarter.plane:
+            place = self.quarter.bend.place(u)
+            low, high = (Table.along(self.quarter.bend.line(end), place) for end in (k[0], k[-1]))
+            u = u + low + (high - low) * shares(k)[line]
+        azimuth = self.quarter.azimuth_deg(u)
+        directions = azimuth, np.degrees(np.arctan(tangent[line, cell])), distance[line, cell]
+        if hasattr(self.sector, "marks"):
+            marks = self.sector.marks(*directions)
+            value[line, cell] = np.where(marks > 0, value[line, cell] | marks, 0)
+            return
+        accepted = self.sector.accepts(*directions)
+        value[line[~accepted], cell[~accepted]] = 0
+
+    @staticmethod
+    def _scatter(result, active, value):
+        result.reshape(len(value), -1, BAND)[:, active] = value.reshape(len(value), -1, BAND)
+
+
+def _between(sector, azimuth_deg):
+    """Whether cells between a ray and the next lie outside the sector, inside, or must be asked one by one."""
+    inside = sector.accepts(azimuth_deg, None, None)
+    if not inside.any():
+        return np.full(len(inside) - 1, EDGE)
+    both = inside[:-1].astype(np.uint8) + inside[1:]
+    return np.select([both == 0, both == 2], [OUTSIDE, INSIDE], EDGE).astype(np.uint8)
+
+
+def _length(to_metres, j, k):
+    """Length of (j, k) on the plane grid at the observer [m]."""
+    (a, b), (c, d) = to_metres
+    east, north = a * j + b * k, c * j + d * k
+    east *= east
+    north *= north
+    east += north
+    return np.sqrt(east, out=east)

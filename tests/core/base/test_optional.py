@@ -1,0 +1,25 @@
+"""A missing package is missed in one sentence that names the remedy."""
+
+import sys
+
+import pytest
+from skyline_viewshed.core.base import optional
+from skyline_viewshed.core.base.errors import MissingPackageError
+
+
+@pytest.mark.parametrize("platform, word", [("win32", "OSGeo4W"), ("darwin", "QGIS.app"), ("linux", "python3 -m pip")])
+def test_the_hint_suits_the_platform_and_names_the_package(monkeypatch, platform, word):
+    monkeypatch.setattr(sys, "platform", platform)
+    assert word in optional.install_hint("cv2")
+    assert "opencv-python-headless" in optional.install_hint("cv2")
+
+
+def test_a_blocked_module_is_reported_with_the_feature(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pillow_heif", None)
+    assert optional.available("pillow_heif") is None
+    with pytest.raises(MissingPackageError, match="Reading HEIC.*pillow_heif.*pillow-heif"):
+        optional.require("pillow_heif", "Reading HEIC photos")
+
+
+def test_a_present_module_is_given():
+    assert optional.require("json", "x").dumps({}) == "{}"

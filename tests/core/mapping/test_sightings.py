@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.base.view import open_view
+from skyline_viewshed.core.mapping.projecting import sample_area
+from skyline_viewshed.core.mapping.sightings import find_sightings
+
+CAMERA = Camera(600, 400, 500.0)
+
+
+def walled():
+    z = np.zeros((401, 401), np.float32)
+    z[169:172] = 40.0
+    return ArrayTerrain(z, 10.0)
+
+
+def point(east, north):
+    return np.array([east]), np.array([north])
+
+
+def north_view(terrain, pitch_deg=-10.0):
+    return open_view(terrain, Observer(0, 0, 20.0), CAMERA, Pose(0.0, pitch_deg), 2500.0)
+
+
+def test_seen_places_come_best_first_and_hidden_ones_not_at_all():
+    terrain = walled()
+    places = [point(0, 200), point(0, 100), point(0, 700), point(0, -100)]
+    found = find_sightings(terrain, north_view(terrain), places)
+    assert [sighting.place for sighting in found] == [1, 0]
+    assert found[0].quality > found[1].quality
+
+
+def test_the_numbers_of_a_point_follow_from_the_geometry():
+    terrain = walled()
+    view = open_view(terrain, Observer(0, 0, 100.0), CAMERA, Pose(0.0, -45.0), 2500.0)
+    (seen,) = find_sightings(terrain, view, [point(0, 100)])
+    slant = np.sqrt(2) * 100
+    assert (seen.visible_share, seen.framed_share) == (1, 1)
+    assert (seen.x_px, seen.y_px) == pytest.approx(CAMERA.centre_px, abs=0.1)
+    assert seen.pixels_per_metre == pytest.approx(500 / slant, rel=1e-3)
+    assert seen.incidence_deg == pytest.approx(45, abs=0.1)
+    assert seen.azimuth_deg == pytest.approx(0, abs=1e-6) and seen.elevation_deg == pytest.approx(-45, abs=0.1)
+    assert seen.distance_m == pytest.approx(100)
+    assert seen.quality == pytest.approx(500 / slant * np.cos(np.radians(45)), rel=0.01)
+
+
+def test_of_an_area_the_visible_share_is_told():
+    terrain = walled()
+    # From 200 m before the wall to 200 m behind it: the far half is hidden.
+    ring = np.array([-30, 30, 30, -30.0]), np.array([100, 100, 500, 500.0])
+    (seen,) = find_sightings(terrain, north_view(terrain, 0.0), [sample_area([ring], 5.0)])
+    assert seen.visible_share == pytest.approx(0.5, abs=0.05)
+    assert seen.framed_share > 0.95
+
+
+def test_no_places_give_no_sightings():
+    terrain = walled()
+    assert find_sightings(terrain, north_view(terrain), []) == ()
+    assert find_sightings(terrain, north_view(terrain), [(np.zeros(0), np.zeros(0))]) == ()

@@ -1,0 +1,100 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.match.finding import heading_sigma_deg, judge, relief_px
+from skyline_viewshed.core.match.geometry import HorizonCurve
+from skyline_viewshed.core.match.likelihood import EvidenceStack
+from skyline_viewshed.core.match.posterior import answer_probabilities, p_correct
+from skyline_viewshed.core.match.prior import CameraPrior, HeadingPrior
+from skyline_viewshed.core.match.refine import Objective
+from skyline_viewshed.core.match.robust import RobustOptions, find_answers
+
+TRIAL = np.array([[97.3, 6.0, 1.0, 0.0, 0.0]])
+
+
+@pytest.fixture(scope="module")
+def scene(match_scenes):
+    return match_scenes.scene(4, 97.3, pitch_deg=6.0, roll_deg=1.0)
+
+
+@pytest.fixture(scope="module")
+def fitted(scene):
+    return objective_of(scene, scene.horizon)
+
+
+def objective_of(scene, horizon):
+    probability = scene.evidence.probability
+    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
+    return Objective(EvidenceStack(probability), camera, HorizonCurve(horizon), 0.02)
+
+
+def sigma(objective, scale=1.0, position_error_m=0.0, floor_deg=0.0):
+    return float(heading_sigma_deg(objective, TRIAL, np.array([scale]), position_error_m, floor_deg)[0])
+
+
+def test_a_heading_is_less_sure_the_wider_the_tolerance_at_which_it_fits(fitted):
+    spreads = [sigma(fitted, scale) for scale in (0.35, 0.7, 1.5, 3.0)]
+    assert np.all(np.diff(spreads) > 0)
+    assert spreads[-1] > 2 * spreads[0]
+
+
+def test_position_error_and_floor_add_in_squares(scene, fitted):
+    assert sigma(fitted, floor_deg=0.3) == pytest.approx(np.hypot(sigma(fitted), 0.3))
+    near = objective_of(scene, replace(scene.horizon, distance_m=np.full(scene.horizon.distance_m.shape, 2000.0)))
+    moved, still = sigma(near, position_error_m=35.0), sigma(near)
+    assert np.sqrt(moved**2 - still**2) == pytest.approx(np.degrees(35.0 / 2000.0), rel=1e-3)
+
+
+def test_relief_is_measured_about_a_straight_line():
+    columns = np.arange(200)
+    tilted = 30 + 0.4 * columns
+    assert relief_px(columns, tilted) == pytest.approx(0.0, abs=1e-9)
+    assert relief_px(columns, tilted + 5 * np.sin(columns / 3)) == pytest.approx(5 / np.sqrt(2), rel=0.02)
+    assert relief_px(columns[:10], tilted[:10]) == 0.0
+
+
+def answers_of(scene, heading_prior=None):
+    return find_answers(
+        scene.evidence, CameraPrior(scene.camera), scene.horizon, RobustOptions(), heading_prior, (), 8.0, None
+    )
+
+
+@pytest.fixture(scope="module")
+def answers(match_scenes):
+    return answers_of(match_scenes.scene(4, 97.3, hfov_deg=20.0))
+
+
+def test_without_a_belief_the_picture_s_own_probabilities_stand(answers):
+    same, probability = judge(answers)
+    assert same is answers
+    assert probability[0] == pytest.approx(p_correct(answers.finding))
+    assert probability.sum() <= 1
+
+
+def test_a_belief_in_the_same_heading_makes_surer_and_one_in_another_less_sure(answers):
+    found = float(answers.trials[0, 0])
+    alone = judge(answers)[1][0]
+    _, agreeing = judge(answers, HeadingPrior(found + 5, 10.0))
+    _, opposing = judge(answers, HeadingPrior(found + 150, 10.0))
+    assert agreeing[0] > alone > opposing.max()
+
+
+def test_a_belief_changes_no_score(match_scenes, answers):
+    """The belief helps to choose what is looked at; how well an answer fits the picture is not its matter."""
+    prior = HeadingPrior(97.3, 10.0)
+    led = answers_of(match_scenes.scene(4, 97.3, hfov_deg=20.0), prior)
+    assert led.finding.score[0] == pytest.approx(answers.finding.score[0], abs=1e-3)
+
+
+def test_a_strong_belief_in_the_second_answer_brings_it_to_the_front(answers):
+    finding = replace(answers.finding, score=answers.finding.score.copy())
+    level = replace(answers, finding=replace(finding, score=np.full(len(finding.score), finding.score[0])))
+    second = float(level.trials[1, 0])
+    judged, probability = judge(level, HeadingPrior(second, 5.0))
+    assert judged.trials[0, 0] == second
+    assert judged.finding.heading_deg[0] == second
+    assert (np.diff(probability) <= 0).all()
+    assert sorted(judged.trials[:, 0]) == sorted(level.trials[:, 0])
+    assert probability.sum() <= 1 + 1e-9
+    assert answer_probabilities(level.finding, 0.5)[0] == 0.5

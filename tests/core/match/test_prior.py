@@ -1,0 +1,57 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.base.model import PhotoMetadata
+from skyline_viewshed.core.match.prior import CompassOptions, HeadingPrior, compass_prior, log_ratio, true_heading_deg
+
+
+def test_the_density_integrates_to_one_over_the_circle():
+    prior = HeadingPrior(350.0, 12.0, 0.1, ((90.0, 0.03), (-90.0, 0.03), (180.0, 0.02)))
+    heading = np.arange(0, 360, 0.1)
+    assert np.exp(log_ratio(prior, heading)).mean() == pytest.approx(1.0, rel=1e-6)
+
+
+def test_no_prior_is_worth_nothing():
+    assert (log_ratio(None, np.arange(5)) == 0).all()
+
+
+def test_nothing_is_forbidden_beyond_the_share_of_worthless_readings():
+    prior = HeadingPrior(10.0, 10.0, 0.1)
+    assert log_ratio(prior, 190.0) == pytest.approx(np.log(0.1), abs=1e-6)
+
+
+def test_a_reading_turned_by_a_quarter_is_recognised():
+    prior = HeadingPrior(10.0, 10.0, 0.1, ((90.0, 0.02), (-90.0, 0.02)))
+    assert log_ratio(prior, 100.0) > log_ratio(prior, 60.0)
+    assert log_ratio(prior, 280.0) == pytest.approx(log_ratio(prior, 100.0))
+
+
+READING = PhotoMetadata("a.jpg", 400, 300, compass_heading_deg=355.0, compass_reference="M")
+
+
+def test_a_magnetic_reading_is_turned_by_the_declination():
+    assert true_heading_deg(READING, 15.0) == pytest.approx(10.0)
+
+
+def test_a_magnetic_reading_without_declination_is_not_passed_off_as_true():
+    assert true_heading_deg(READING) is None
+
+
+@pytest.mark.parametrize("reference", ["T", None])
+def test_other_readings_are_taken_as_they_are(reference):
+    assert true_heading_deg(replace(READING, compass_reference=reference), 15.0) == 355.0
+
+
+def test_no_reading_gives_no_prior():
+    assert compass_prior(true_heading_deg(replace(READING, compass_heading_deg=None))) is None
+
+
+def test_the_prior_prefers_the_reading_and_then_its_quarter_turns():
+    prior = compass_prior(100.0)
+    assert log_ratio(prior, 100.0) > log_ratio(prior, 190.0) > log_ratio(prior, 145.0)
+
+
+def test_an_overconfident_compass_is_refused():
+    with pytest.raises(ValueError, match="5 degrees"):
+        CompassOptions(sigma_deg=2)

@@ -1,0 +1,158 @@
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.base.camera import project
+from skyline_viewshed.core.base.model import SkylineEvidence
+from skyline_viewshed.core.match.prior import HeadingPrior, Landmark
+from skyline_viewshed.core.match.robust import match_robust
+
+
+def solve(scene, **facts):
+    return match_robust(scene.evidence, scene.prior, scene.horizon, **facts)
+
+
+def miss(found, heading_deg):
+    return abs((found.best.pose.heading_deg - heading_deg + 180) % 360 - 180)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_perfect_skyline_gives_the_pose(match_scenes, seed):
+    rng = np.random.default_rng(seed)
+    heading, pitch, roll = rng.uniform(0, 360), rng.uniform(-3, 8), rng.uniform(-6, 6)
+    scene = match_scenes.scene(seed, heading, pitch, roll, rng.uniform(35, 65), focal_scale=rng.uniform(0.98, 1.02))
+    found = solve(scene)
+    assert miss(found, heading) < 0.2
+    assert abs(found.best.pose.pitch_deg - pitch) < 0.2
+    assert abs(found.best.pose.roll_deg - roll) < 0.5
+
+
+def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_away(match_scenes, monkeypatch):
+    """Near ground that the DEM draws wrong pulls wide fits aside, out of reach of the fine ones that come after."""
+    fit = sys.modules[match_robust.__module__].refine
+
+    def pulled_aside(objective, trials, scale, stride=1, **rest):
+        trials, score = fit(objective, trials, scale, stride, **rest)
+        if stride == 1 and scale > 1:
+            trials, score = trials + np.array([1.0, 20.0, 4.0, 0.0, 0.0]), score - 1
+        return trials, score
+
+    scene = match_scenes.scene(3, 211.0)
+    monkeypatch.setattr(sys.modules[match_robust.__module__], "refine", pulled_aside)
+    assert miss(solve(scene), 211.0) < 0.2
+
+
+def test_the_interval_holds_the_truth_and_runs_clockwise(match_scenes):
+    found = solve(match_scenes.scene(3, 0.05))
+    width = (found.heading_hi_deg - found.heading_lo_deg) % 360
+    assert (0.05 - found.heading_lo_deg) % 360 <= width
+    assert width < 10
+
+
+def test_an_uncertain_position_widens_the_interval(match_scenes):
+    scene = match_scenes.scene(3)
+    near, far = solve(scene, position_error_m=5.0), solve(scene, position_error_m=400.0)
+    assert width_of(far) > 1.5 * width_of(near)
+
+
+def width_of(found):
+    return (found.heading_hi_deg - found.heading_lo_deg) % 360
+
+
+def test_noise_without_a_skyline_is_not_accepted(match_scenes):
+    scene = match_scenes.scene(5)
+    rng = np.random.default_rng(0)
+    probability = rng.dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
+    found = solve(replace(scene, evidence=replace(scene.evidence, probability=probability)))
+    assert found.status in ("ambiguous", "rejected")
+    assert found.p_correct < 0.7
+
+
+def test_a_picture_without_any_evidence_is_rejected_with_advice(match_scenes):
+    scene = match_scenes.scene(5)
+    flat = SkylineEvidence(np.full((192, 256), 1 / 192, np.float32), scene.evidence.best, 1024, 768)
+    found = solve(replace(scene, evidence=flat))
+    assert found.status == "rejected"
+    assert found.best is None
+    assert "sky mask" in found.message
+
+
+def repeated(scene):
+    """The scene's horizon with the same mountains again half a circle on."""
+    elevation = scene.horizon.elevation_deg.copy()
+    elevation[1800:] = elevation[:1800]
+    return replace(scene, horizon=replace(scene.horizon, elevation_deg=elevation))
+
+
+def test_terrain_that_repeats_itself_is_ambiguous_and_both_answers_are_given(match_scenes):
+    scene = match_scenes.scene(8, 100.0)
+    twin = repeated(scene)
+    rows = match_scenes.seen_rows(twin.horizon, twin.camera.scaled(256, 192), twin.pose)
+    evidence = match_scenes.evidence_of_rows(rows, 256, 192, (1024, 768))
+    found = solve(replace(twin, evidence=evidence))
+    headings = [candidate.pose.heading_deg for candidate in found.candidates[:2]]
+    assert found.status == "ambiguous"
+    assert sorted(round(h) for h in headings) == [100, 280]
+
+
+def test_a_prior_decides_between_twins_and_may_be_far_off_elsewhere(match_scenes):
+    scene = match_scenes.scene(8, 100.0)
+    twin = repeated(scene)
+    rows = match_scenes.seen_rows(twin.horizon, twin.camera.scaled(256, 192), twin.pose)
+    twin = replace(twin, evidence=match_scenes.evidence_of_rows(rows, 256, 192, (1024, 768)))
+    assert miss(solve(twin, heading_prior=HeadingPrior(110.0, 10.0)), 100.0) < 1
+    assert miss(solve(twin, heading_prior=HeadingPrior(290.0, 10.0)), 280.0) < 1
+    # A clear skyline overrules a compass that points elsewhere.
+    assert miss(solve(scene, heading_prior=HeadingPrior(250.0, 10.0)), 100.0) < 1
+
+
+def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
+    scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
+    rng = np.random.default_rng(1)
+    probability = rng.dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
+    marks = []
+    for azimuth, elevation in ((210.0, 5.0), (236.0, 8.0)):
+        x, y = project(scene.camera, scene.pose, azimuth, elevation)
+        marks.append(Landmark(float(x), float(y), azimuth, elevation))
+    found = solve(replace(scene, evidence=replace(scene.evidence, probability=probability)), landmarks=marks)
+    assert miss(found, 222.0) < 0.7
+    assert abs(found.best.pose.pitch_deg - 4.0) < 0.7
+    assert any("Landmark 1 is met to within" in note for note in found.notes)
+
+
+def test_landmarks_alone_are_enough_where_nothing_else_can_be_seen(match_scenes):
+    scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
+    flat = SkylineEvidence(np.full((192, 256), 1 / 192, np.float32), scene.evidence.best, 1024, 768)
+    marks = []
+    for azimuth, elevation in ((205.0, 1.0), (236.0, 8.0), (222.0, 12.0)):
+        x, y = project(scene.camera, scene.pose, azimuth, elevation)
+        marks.append(Landmark(float(x), float(y), azimuth, elevation))
+    found = solve(replace(scene, evidence=flat), landmarks=marks)
+    assert found.status == "accepted"
+    assert miss(found, 222.0) < 0.5
+
+
+def test_a_horizon_cut_off_by_the_dem_is_remarked_on(match_scenes):
+    scene = match_scenes.scene(3)
+    clipped = np.ones(3600, bool)
+    found = solve(replace(scene, horizon=replace(scene.horizon, clipped=clipped)))
+    assert any("a larger DEM" in note for note in found.notes)
+
+
+def test_residuals_speak_of_the_full_picture_s_pixels(match_scenes):
+    scene = match_scenes.scene(2)
+    shifted = replace(scene.evidence.best, row_px=scene.evidence.best.row_px + 2.0)
+    found = solve(replace(scene, evidence=replace(scene.evidence, best=shifted)))
+    assert np.nanmedian(found.residual_px) == pytest.approx(8.0, abs=1.0)
+
+
+def test_the_curve_covers_the_circle_and_peaks_at_the_answer(match_scenes):
+    found = solve(match_scenes.scene(4, 77.0))
+    assert len(found.curve_heading_deg) == len(found.curve_score) == 900
+    assert abs(found.curve_heading_deg[found.curve_score.argmax()] - 77.0) < 1.0
+
+
+def test_the_same_input_gives_the_same_answer(match_scenes):
+    scene = match_scenes.scene(6)
+    assert solve(scene).candidates == solve(scene).candidates

@@ -1,0 +1,367 @@
+"""Evidence on drawn scenes with known skyline, on bad pictures, without OpenCV, and on real photographs."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.base import imaging
+from skyline_viewshed.core.base.errors import SkylineNotFoundError
+from skyline_viewshed.core.skyline.evidence import EvidenceOptions, find_crop, shipped_weights, skyline_evidence
+
+DATA = Path(os.environ.get("SKYLINE_DATA") or Path(__file__).parents[3] / "shared" / "data")
+
+
+def ridge_rows(width, height, mean=0.4, swing=0.12):
+    x = np.arange(width) / width
+    return height * (mean + swing * np.sin(7 * x) + 0.3 * swing * np.sin(31 * x + 1))
+
+
+def mountain_scene(width=512, height=384, seed=0, row_px=None, haze=0.0, grain=3.0):
+    """Graded sky, a far and a near range with rock texture of several scales, grain; uint8 RGB and the rows."""
+    rng = np.random.default_rng(seed)
+    row_px = ridge_rows(width, height) if row_px is None else row_px
+    y = np.arange(height)[:, None]
+    sky = np.array([110.0, 150, 215]) + (y / height * 60)[..., None] * np.array([1.0, 0.8, 0.2])
+    picture = np.broadcast_to(sky, (height, width, 3)).copy()
+    rock = sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s * 26 for s in (0.7, 2.0, 5.0))
+    light = np.clip(95 + 1.6 * rock, 10, 235)[..., None] * np.array([1.0, 0.97, 0.92])
+    far = light * (1 - haze) + haze * np.array([165.0, 185, 220])
+    near = 0.55 * light * np.array([0.8, 1.0, 0.6])
+    terrain = y >= row_px
+    picture[terrain] = far[terrain]
+    foot = y > row_px + 0.3 * height
+    picture[foot] = near[foot]
+    return np.clip(picture + rng.normal(0, grain, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
+
+
+@pytest.fixture(scope="module")
+def clear():
+    """An ordinary scene, its rows and its evidence, made once."""
+    pixels, truth = mountain_scene()
+    return pixels, truth, skyline_evidence(pixels)
+
+
+def rows_off(evidence, truth):
+    """Absolute error of the best line at believed columns [rows of the reduced picture]."""
+    height, width = evidence.probability.shape
+    columns = (np.arange(width) + 0.5) * len(truth) / width - 0.5
+    scale = height / evidence.height_px
+    return np.abs(evidence.best.row_px - np.interp(columns, np.arange(len(truth)), truth) * scale)
+
+
+def plain_before_a_range(edge_px=230, height=384, width=512):
+    """A pale range under a blue sky behind the straight edge of a dark plain; uint8 RGB and the range's rows."""
+    rng = np.random.default_rng(4)
+    row_px = ridge_rows(width, height, 0.5, 0.06)
+    y = np.arange(height)[:, None]
+    sky = np.array([120.0, 160, 215]) + (y / height * 60)[..., None] * np.array([1.0, 0.8, 0.2])
+    picture = np.broadcast_to(sky, (height, width, 3)).copy()
+    picture[(y >= row_px) & (y < edge_px)] += 35 * np.array([1.0, 0.9, 0.6])
+    rock = sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s * 20 for s in (0.7, 2.0, 5.0))
+    picture[edge_px:] = (np.clip(45 + rock, 5, 120)[..., None] * np.array([0.8, 1.0, 0.6]))[edge_px:]
+    return np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
+
+
+def test_a_pale_range_behind_a_dark_plain_is_kept_as_the_rival():
+    pixels, truth = plain_before_a_range()
+    evidence = skyline_evidence(pixels)
+    assert np.median(np.abs(evidence.best.row_px - 230)) < 2, "the plain stands out; if not, this scene is no test"
+    assert np.median(np.abs(evidence.rival.best.row_px - truth)) < 2
+    assert evidence.rival.rival is None
+    total = evidence.rival.probability.sum(axis=0) + evidence.rival.leaves_frame
+    np.testing.assert_allclose(total, 1, atol=1e-3)
+
+
+def test_an_empty_sky_holds_no_rival(clear):
+    assert clear[2].rival is None
+
+
+@pytest.mark.parametrize(
+    ("size", "haze"), [((512, 384), 0.5), ((384, 512), 0.0), ((1200, 800), 0.5), ((300, 200), 0.0)]
+)
+def test_a_drawn_ridge_is_found_to_a_row(size, haze):
+    """Landscape, portrait, larger and smaller than the working size, clear and hazy."""
+    pixels, truth = mountain_scene(*size, haze=haze)
+    evidence = skyline_evidence(pixels)
+    off = rows_off(evidence, truth)
+    assert np.median(off) <= 1
+    assert np.mean(off < 4) > 0.9
+    assert evidence.best.valid.mean() > 0.9
+    assert (evidence.width_px, evidence.height_px) == size
+
+
+def test_every_column_is_a_distribution(clear):
+    """Sums to one, none negative, float32."""
+    probability = clear[2].probability
+    assert probability.dtype == np.float32
+    assert probability.min() >= 0
+    np.testing.assert_allclose(probability.sum(0), 1, atol=1e-4)
+
+
+def test_a_reduced_copy_keeps_the_full_size(clear):
+    """Only the sizes differ from the evidence of the copy itself."""
+    pixels, _, own = clear
+    evidence = skyline_evidence(pixels, width_px=4096, height_px=3072)
+    assert (evidence.width_px, evidence.height_px) == (4096, 3072)
+    np.testing.assert_array_equal(evidence.probability, own.probability)
+
+
+def test_the_mirrored_picture_has_the_mirrored_skyline(clear):
+    """Nothing prefers left or right."""
+    pixels, _, evidence = clear
+    straight = evidence.best.row_px
+    mirrored = skyline_evidence(np.ascontiguousarray(pixels[:, ::-1])).best.row_px[::-1]
+    assert np.mean(np.abs(straight - mirrored) <= 1) > 0.95
+
+
+def test_a_grey_picture_still_has_a_skyline(clear):
+    """Photochroms and black-and-white scans carry no colour."""
+    pixels, truth, _ = clear
+    grey = np.repeat(imaging.to_grey(pixels)[..., None], 3, 2)
+    assert np.median(rows_off(skyline_evidence(grey), truth)) <= 1
+
+
+def test_a_ridge_that_leaves_the_frame_is_told_apart():
+    """Where the mountain is cut by the upper edge the column names no row, is masked, and says that it is cut."""
+    row_px = ridge_rows(512, 384, 0.1, 0.25)
+    pixels, _ = mountain_scene(row_px=row_px)
+    evidence = skyline_evidence(pixels)
+    cut, seen = row_px < -8, row_px > 12
+    assert cut.sum() > 50
+    assert np.mean(evidence.probability.max(0)[cut] < 0.1) > 0.7
+    assert np.mean(evidence.best.confidence[cut] == 0) > 0.7
+    assert np.mean(evidence.leaves_frame[cut] > 0.5) > 0.7
+    assert np.mean(evidence.leaves_frame[seen] < 0.1) > 0.9
+    assert np.mean(evidence.best.confidence[seen] > 0.3) > 0.8
+
+
+def test_a_frame_is_cut_off_and_flat(clear):
+    """White border: the skyline inside is found, the columns of the border are flat."""
+    pixels, truth, _ = clear
+    framed = np.pad(pixels, ((20, 30), (25, 25), (0, 0)), constant_values=250)
+    evidence = skyline_evidence(framed)
+    height, width = evidence.probability.shape
+    scale = width / framed.shape[1]
+    top, bottom, left, right = evidence.crop
+    assert np.abs(np.subtract(evidence.crop, np.array([20, 30, 25, 25]) * scale)).max() <= 1.5
+    np.testing.assert_allclose(evidence.probability[:, :left], 1 / height, rtol=1e-5)
+    assert not evidence.best.valid[:left].any()
+    assert not evidence.best.valid[width - right :].any()
+    inner = np.interp(np.arange(left, width - right) / scale - 25, np.arange(512), truth) * scale + 20 * scale
+    assert np.median(np.abs(evidence.best.row_px[left : width - right] - inner)) <= 1.5
+
+
+def test_sky_and_ridge_scores_lie_on_their_sides(clear):
+    """Sky-like above and ground-like below the line; interior ridges only below it."""
+    _, truth, evidence = clear
+    y = np.arange(384)[:, None]
+    assert np.mean(evidence.sky_score[y < truth - 3] > 0) > 0.9
+    assert np.mean(evidence.sky_score[y > truth + 3] < 0) > 0.9
+    assert evidence.ridge_score[y < truth - 12].max() < 0.05
+    assert evidence.ridge_score[y > truth + 12].max() > 0.3
+
+
+BAD = {
+    "black": np.zeros((300, 400, 3), np.uint8),
+    "white": np.full((300, 400, 3), 255, np.uint8),
+    "grey": np.full((300, 400, 3), 128, np.uint8),
+    "one pixel": np.zeros((1, 1, 3), np.uint8),
+    "one row": np.zeros((1, 4000, 3), np.uint8),
+    "one column": np.zeros((4000, 1, 3), np.uint8),
+    "ribbon": np.random.default_rng(0).integers(0, 256, (20, 4000, 3), dtype=np.uint8),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_pictures_without_content_are_refused_in_a_sentence(name):
+    """One colour, or too small."""
+    with pytest.raises(SkylineNotFoundError, match="Use a photo that shows a mountain skyline"):
+        skyline_evidence(BAD[name])
+
+
+def degenerate():
+    rng = np.random.default_rng(1)
+    y, x = np.mgrid[:240, :320]
+    return {
+        "pure noise": rng.integers(0, 256, (240, 320, 3)),
+        "two colours": np.where((y < 120)[..., None], 255, 0) * np.ones(3),
+        "two colours, side by side": np.where((x < 100)[..., None], 255, 0) * np.ones(3),
+        "gradient down": (y * 255 / 240)[..., None] * np.ones(3),
+        "gradient across": (x * 255 / 320)[..., None] * np.ones(3),
+        "chessboard": (((y // 16 + x // 16) % 2) * 255)[..., None] * np.ones(3),
+        "one bright pixel": ((y == 100) & (x == 100))[..., None] * 255 * np.ones(3),
+        "one odd pixel on grey": 128 + ((y == 3) & (x == 5))[..., None] * 4 * np.ones(3),
+        "smallest": rng.integers(0, 256, (24, 24, 3)),
+    }
+
+
+@pytest.mark.parametrize("name", degenerate())
+def test_degenerate_pictures_give_finite_probabilities(name):
+    """No crash, no NaN, proper distributions."""
+    evidence = skyline_evidence(degenerate()[name].astype(np.uint8))
+    assert np.isfinite(evidence.probability).all()
+    np.testing.assert_allclose(evidence.probability.sum(0) + evidence.leaves_frame, 1, atol=1e-3)
+    assert np.isfinite(evidence.best.row_px).all()
+    assert np.isfinite(evidence.sky_score).all()
+    assert np.isfinite(evidence.ridge_score).all()
+
+
+def test_pure_noise_is_not_believed(clear):
+    """Confidence stays far below that of a clear ridge."""
+    noise = skyline_evidence(np.random.default_rng(2).integers(0, 256, (240, 320, 3)).astype(np.uint8))
+    assert noise.best.confidence.mean() < 0.6 * clear[2].best.confidence.mean()
+
+
+def test_without_opencv_the_evidence_is_the_same(monkeypatch):
+    """The SciPy twins lead to the same line and nearly the same probabilities."""
+    pixels, _ = mountain_scene(900, 600)
+    fast = skyline_evidence(pixels)
+    monkeypatch.setattr(imaging, "_cv2", lambda: None)
+    plain = skyline_evidence(pixels)
+    assert np.mean(np.abs(fast.best.row_px - plain.best.row_px) <= 1) > 0.98
+    assert np.abs(fast.probability - plain.probability).sum(0).mean() < 0.05
+
+
+def test_other_weights_take_the_place_of_the_shipped_ones(clear):
+    """All weight on "high up": the line follows."""
+    weights = {**dict.fromkeys(shipped_weights(), 0.0), "row": 60.0}
+    evidence = skyline_evidence(clear[0], EvidenceOptions(weights=weights))
+    assert np.median(evidence.best.row_px) > 370
+
+
+@pytest.mark.parametrize("wrong", [{"work_px": 10}, {"temper": 0}, {"jump_share": 1}, {"colour_passes": 0}])
+def test_options_out_of_range_are_refused(wrong):
+    """Programming errors."""
+    with pytest.raises(ValueError):
+        replace(EvidenceOptions(), **wrong)
+
+
+@pytest.mark.data
+@pytest.mark.skipif(not DATA.is_dir(), reason=f"the shared photographs are not at {DATA}")
+def test_the_scanned_photochrom_loses_its_border_and_keeps_its_ridge():
+    """Aletsch: white border and caption cut, ridge within the upper third, and no people."""
+    from PIL import Image
+
+    pixels = np.asarray(Image.open(DATA / "aletsch" / "photos" / "07861v.jpg").convert("RGB"))
+    evidence = skyline_evidence(pixels)
+    height = evidence.probability.shape[0]
+    assert all(8 <= side <= 25 for side in evidence.crop)
+    inner = slice(evidence.crop[2] + 2, -evidence.crop[3] - 2)
+    assert np.mean(evidence.best.valid[inner]) > 0.9
+    assert (evidence.best.row_px[inner] < 0.3 * height).all()
+
+
+@pytest.mark.data
+@pytest.mark.skipif(not DATA.is_dir(), reason=f"the shared photographs are not at {DATA}")
+@pytest.mark.parametrize("name", ["AK10_20090803_195410", "AK03b_20080621_201611"])
+def test_the_hand_traced_skylines_of_columbia_are_met(name):
+    """Layer `horizon` of the owners' traces, which the weights have never seen."""
+    from PIL import Image
+
+    pixels = np.asarray(Image.open(DATA / "columbia" / "photos" / f"{name}.JPG").convert("RGB"))
+    evidence = skyline_evidence(pixels)
+    height, width = evidence.probability.shape
+    truth = traced_rows(DATA / "columbia" / "traces" / f"{name}.svg", width)
+    traced = np.isfinite(truth) & (truth > 4) & evidence.best.valid
+    assert traced.sum() > 0.4 * width
+    assert np.median(np.abs(evidence.best.row_px - truth)[traced]) < 0.01 * height
+
+
+def traced_rows(path, width):
+    """The trace's row per column of a picture `width` pixels wide, NaN between and beyond its strokes."""
+    text = path.read_text()
+    layer = text[text.index('<g id="horizon"') :]
+    layer = layer[: layer.index("</g>")]
+    scale = width / float(re.search(r'viewBox="0 0 ([\d.]+)', text).group(1))
+    strokes = [np.array(numbers(line)).reshape(-1, 2) for line in re.findall(r'points="([^"]*)"', layer)]
+    strokes += [path_points(line) for line in re.findall(r'\sd="([^"]*)"', layer)]
+    rows = np.full(width, np.nan)
+    for x, y in (stroke.T * scale for stroke in strokes):
+        order = np.argsort(x, kind="stable")
+        part = np.interp(np.arange(width) + 0.5, x[order], y[order], left=np.nan, right=np.nan)
+        rows = np.where(np.isfinite(part), part, rows)
+    return rows
+
+
+def numbers(text):
+    return [float(n) for n in re.findall(r"-?\d*\.?\d+", text)]
+
+
+def path_points(line):
+    """End points of an SVG path of straight pieces and cubic curves."""
+    here, points = np.zeros(2), []
+    for command, text in re.findall(r"([MmLlHhVvCcSs])([^MmLlHhVvCcSs]*)", line):
+        size = {"H": 1, "V": 1, "C": 6, "S": 4}.get(command.upper(), 2)
+        for values in np.array(numbers(text)).reshape(-1, size):
+            start = here if command.islower() else np.zeros(2)
+            if command in "Hh":
+                here = np.array([start[0] + values[0], here[1]])
+            elif command in "Vv":
+                here = np.array([here[0], start[1] + values[0]])
+            else:
+                here = start + values[-2:]
+            points.append(here)
+    return np.array(points)
+
+
+def landscape(height=200, width=300, seed=0):
+    rng = np.random.default_rng(seed)
+    picture = np.full((height, width, 3), (150.0, 175.0, 215.0))
+    ridge = 80 + 20 * np.sin(np.arange(width) / 30)
+    ground = np.arange(height)[:, None] > ridge
+    picture[ground] = (90, 85, 60) + rng.normal(0, 20, (ground.sum(), 1))
+    return np.clip(picture, 0, 255)
+
+
+@pytest.mark.parametrize("level", [255, 240, 8])
+@pytest.mark.parametrize("border", [(6, 9, 5, 7), (20, 40, 20, 20)])
+def test_a_frame_is_measured_on_each_side(level, border):
+    """White, off-white and black, uneven sides."""
+    top, bottom, left, right = border
+    picture = landscape()
+    framed = np.pad(picture, ((top, bottom), (left, right), (0, 0)), constant_values=level)
+    assert find_crop(framed) == border
+
+
+def test_a_caption_below_belongs_to_the_frame():
+    """Letters darken a part of the lower border's lines."""
+    framed = np.pad(landscape(), ((10, 40), (10, 10), (0, 0)), constant_values=250)
+    framed[225:233, 20:120:3] = 30
+    assert find_crop(framed) == (10, 40, 10, 10)
+
+
+def test_bars_above_and_below_are_a_frame():
+    """Letterbox: no bars at the sides."""
+    framed = np.pad(landscape(), ((25, 25), (0, 0), (0, 0)), constant_values=0)
+    assert find_crop(framed) == (25, 25, 0, 0)
+
+
+@pytest.mark.parametrize("sky", [255, 250, 5])
+def test_an_overexposed_or_black_sky_is_no_frame(sky):
+    """Uniform at the top, and down the sides only as far as the ridge."""
+    picture = landscape()
+    picture[np.abs(picture - (150, 175, 215)).max(2) < 1] = sky
+    assert find_crop(picture) == (0, 0, 0, 0)
+
+
+def test_a_vignette_is_no_frame():
+    """Dark corners fade; a frame ends at once."""
+    y, x = np.mgrid[-1:1:200j, -1:1:300j]
+    gain = np.clip(1.6 - np.maximum(np.abs(x), np.abs(y)) * 1.7, 0, 1)[..., None]
+    assert find_crop(landscape() * gain) == (0, 0, 0, 0)
+
+
+@pytest.mark.parametrize("value", [0, 128, 255])
+def test_a_picture_of_one_colour_has_no_frame(value):
+    """Nothing would be left."""
+    assert find_crop(np.full((100, 100, 3), value, np.uint8)) == (0, 0, 0, 0)
+
+
+def test_tiny_pictures_are_left_alone():
+    """Too small to tell."""
+    assert find_crop(np.zeros((10, 400, 3), np.uint8)) == (0, 0, 0, 0)
