@@ -19,13 +19,13 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Geländemodell (DGM)</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Maximum distance (m)</source>
         <translation>Größte Entfernung (m)</translation>
@@ -45,8 +45,8 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Oriented photos</source>
         <translation>Orientierte Fotos</translation>
     </message>
@@ -54,7 +54,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Viewshed</source>
         <translation>Sichtfeld</translation>
     </message>
@@ -62,7 +62,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view</source>
         <translation>Sichtbares Gelände</translation>
     </message>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Report</source>
         <translation>Bericht</translation>
     </message>
@@ -195,488 +195,6 @@
         <translation>{name} kann nicht geschrieben werden: In {folder} dürfen Sie nicht schreiben, oder es ist kein Ordner.</translation>
     </message>
     <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>GPS-Position</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>kleinbildäquivalente Brennweite</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Geben Sie seine Bildwinkel in HFOV_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>Das Foto {a} kann nicht gelesen werden: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>Dem Foto fehlt: {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>Es wurde keine Grenze zwischen Himmel und Gelände gefunden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>Die Position {a}, {b} (Breite, Länge) liegt außerhalb des DGM. Verwenden Sie ein DGM, das sie abdeckt, oder berichtigen Sie die Koordinaten des Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>Das DGM hat bei {a}, {b} (Breite, Länge) keine Höhe (NoData). Füllen Sie die Lücke, verwenden Sie ein anderes DGM oder geben Sie die Höhe der Kamera in HEIGHT_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>Die Bildobjekte {a} können nicht gelesen werden: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>Das Koordinatenbezugssystem {a} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>Von {a} nach {b} ist keine Transformation bekannt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>Die Datei kann nicht geöffnet werden ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>Zeile {a} hat keine Zahlen für x und y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>Zeile {a} ist unvollständig ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>Ein Eintrag ist unvollständig ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>Die Datei hat keine Pixel. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>{a} x {b} Pixel sind mehr als {c} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>Die Datei endet zu früh, oder ihr Verzeichnis ist beschädigt. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>Die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten sind 0, 0 (kein GPS-Empfang) und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>Die Halbkugel ist nicht aufgezeichnet; wo sie fehlt, wurden Nord und Ost angenommen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {b} mm galt eine kleinbildgleiche Brennweite von {a} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>Der Inhalt des Ordners {a} ist nicht zu lesen: {b}. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>Das DGM {a} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>Das DGM {a} hat {b} Kanäle und keinen Kanal {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>Kanal {a} von {b} enthält komplexe Zahlen, keine Höhen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Das DGM {a} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>Das DGM {a} ist nicht georeferenziert. Bringen Sie es zuerst in ein KBS (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Das DGM {a} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>Das DGM {a} gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>Das DGM {a} kann nicht verortet werden. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>Das DGM {a} ist beschädigt ({b}). Kopieren Sie es neu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>Kanal {a} des DGM {b} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Die Datei {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>es wurde nichts geschrieben</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>Das Foto {a} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Das Foto {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>Landmarke {a} ist auf {b} getroffen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} Pixel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} Grad</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>above</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>below</source>
-        <translation>unter</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>In {a} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Nur in {a} % der Spalten wurde eine Horizontlinie gefunden. Verwenden Sie ein Foto, das mehr von ihr zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>Der Horizont passt auf {a} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} braucht das Python-Paket {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
-        <translation>An {a} Orten fand sich kein Blick auf einen Grat. Verwenden Sie ein DGM mit mehr Relief.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>Das Bild hat nur {a} x {b} Pixel.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>Das Bild hat nur eine Farbe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>Die gezeichnete Horizontlinie hat weniger als zwei Punkte.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Photo point</source>
-        <translation>Fotopunkt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/measure_offsets.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Photo</source>
-        <translation>Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells of the area that it sees</source>
-        <translation>Zellen des Gebiets, die es zeigt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area that it sees</source>
-        <translation>Anteil des Gebiets, den es zeigt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Place among the fewest photos needed; NULL: not needed</source>
-        <translation>Platz unter den wenigsten nötigen Fotos; NULL: nicht nötig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells that it adds to those picked before</source>
-        <translation>Zellen, die es zu den zuvor gewählten hinzufügt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area seen by the picks up to here</source>
-        <translation>Anteil des Gebiets, den die Auswahl bis hierher zeigt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>photographs that see the cell</source>
-        <translation>Fotos, die die Zelle sehen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Anzahl der Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>metres per pixel across the view, best photo</source>
-        <translation>Meter je Pixel quer zum Blick, bestes Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Best ground sampling distance</source>
-        <translation>Beste Bodenauflösung</translation>
-    </message>
-    <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Directed viewshed</source>
         <translation>Gerichtetes Sichtfeld</translation>
@@ -714,21 +232,21 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Oriented photo points</source>
         <translation>Orientierte Fotopunkte</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
         <translation>Aus „Fotos orientieren“, oder beliebige Punkte mit Blickrichtung, Nick- und Rollwinkel und Bildwinkel.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the camera's elevation (m)</source>
         <translation>Feld mit der Höhe der Kamera (m)</translation>
     </message>
@@ -763,36 +281,36 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the heading (°)</source>
         <translation>Feld mit der Blickrichtung (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>True, clockwise from north.</source>
         <translation>Geographisch, im Uhrzeigersinn von Nord.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the horizontal field of view (°)</source>
         <translation>Feld mit dem horizontalen Bildwinkel (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Of the upright picture.</source>
         <translation>Des aufrecht stehenden Bildes.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the pitch (°)</source>
         <translation>Feld mit dem Nickwinkel (°)</translation>
     </message>
@@ -803,21 +321,21 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the roll (°)</source>
         <translation>Feld mit dem Rollwinkel (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Right side down is positive. NULL: 0.</source>
         <translation>Positiv, wenn die rechte Seite tiefer liegt. NULL: 0.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Field with the vertical field of view (°)</source>
         <translation>Feld mit dem vertikalen Bildwinkel (°)</translation>
     </message>
@@ -878,7 +396,7 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <location filename="../algorithms/visibility.py"/>
+        <location filename="../algorithms/shared/visibility.py"/>
         <source>Minimum distance (m)</source>
         <translation>Mindestentfernung (m)</translation>
     </message>
@@ -921,51 +439,6 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>Der Punkt nennt kein Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
-        <translation>Kein Foto zeigt Gelände dieses DGM; es gibt nichts aufzulegen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>red</source>
-        <translation>Rot</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel across the view</source>
-        <translation>Meter je Pixel quer zum Blick</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel along the view</source>
-        <translation>Meter je Pixel längs des Blicks</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
-        <translation>Das Geländemodell kann nicht gelesen werden. Wählen Sie eine Rasterdatei mit Höhen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
-        <translation>Das Geländemodell kommt aus einer {provider}-Quelle. Speichern Sie es zuerst als GeoTIFF und wählen Sie dieses.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1024,9 +497,23 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Photo</source>
+        <translation>Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1042,117 +529,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Confidence (0 to 1)</source>
         <translation>Zuverlässigkeit (0 bis 1)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/feedback.py"/>
-        <source>{name} ({number}/{count})</source>
-        <translation>{name} ({number}/{count})</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Folder</source>
-        <translation>Ordner</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>GPS-Höhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Aufgezeichnete Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Drehung laut EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Länge (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Breite (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Aufnahmezeit (Ortszeit der Kamera)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Kleinbildäquivalente Brennweite (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Horizontaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Vertikaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Breite des aufrecht stehenden Bildes (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Höhe des aufrecht stehenden Bildes (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Bezug der aufgezeichneten Blickrichtung (T geographisch, M magnetisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Horizontaler GPS-Fehler (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../core/report_facts.py"/>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Reason</source>
-        <translation>Grund</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose a folder of photographs or a layer of photo points.</source>
-        <translation>Wählen Sie einen Ordner mit Fotos oder einen Layer mit Fotopunkten.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
-        <translation>Wählen Sie entweder einen Ordner mit Fotos oder einen Layer mit Fotopunkten, nicht beides.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>The folder {folder} does not exist.</source>
-        <translation>Den Ordner {folder} gibt es nicht.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1209,7 +585,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon</source>
         <translation>Horizont</translation>
     </message>
@@ -1226,23 +602,23 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>The point has no usable position.</source>
         <translation>Der Punkt hat keine brauchbare Position.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Ausgangspunkt</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/image_features.py"/>
         <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Azimuth (° from true north)</source>
         <translation>Azimut (° von geographisch Nord)</translation>
     </message>
@@ -1265,86 +641,6 @@
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Sky view factor of the source point</source>
         <translation>Himmelssichtfaktor des Ausgangspunkts</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Map feature</source>
-        <translation>Kartenobjekt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>visible, hidden, outside the frame, unknown</source>
-        <translation>visible (sichtbar), hidden (verdeckt), outside (außerhalb des Bildes), unknown (unbekannt)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Column (px)</source>
-        <translation>Spalte (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Row (px)</source>
-        <translation>Zeile (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance from the camera (m)</source>
-        <translation>Entfernung von der Kamera (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation angle (°)</source>
-        <translation>Höhenwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation (m)</source>
-        <translation>Höhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Line or ring of the feature</source>
-        <translation>Linie oder Ring des Objekts</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Begins at this share of its length</source>
-        <translation>Beginnt bei diesem Anteil seiner Länge</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Ends at this share of its length</source>
-        <translation>Endet bei diesem Anteil seiner Länge</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Nearest distance (m)</source>
-        <translation>Kleinste Entfernung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Farthest distance (m)</source>
-        <translation>Größte Entfernung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Share of the whole feature that is visible</source>
-        <translation>Sichtbarer Anteil des ganzen Objekts</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Die Kartenobjekte sind leer oder liegen, wohin das KBS des DGM nicht reicht.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1393,6 +689,16 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
         <source>Number of rejected photos</source>
         <translation>Anzahl der abgewiesenen Fotos</translation>
     </message>
@@ -1400,23 +706,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>The photo has no GPS position.</source>
         <translation>Das Foto hat keine GPS-Position.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Eine Datei je Foto (etwa 2 MB), nur für diese Erweiterung. Ein wiederholter Lauf nimmt daraus, was sich seither nicht geändert hat (Foto, Geländemodell, Einstellungen, Version der Erweiterung), sodass ein abgebrochener Lauf dort weitermacht, wo er war.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Ordner, der Orientierungen aufbewahrt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name}: übernommen aus {path}</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1505,159 +794,30 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Spalte (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Zeile (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Distance (m)</source>
         <translation>Entfernung (m)</translation>
     </message>
     <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
-        <translation>Der Punktlayer hat kein Objekt. Wählen Sie einen anderen oder heben Sie die Auswahl auf.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>Point {id}</source>
-        <translation>Punkt {id}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field} ({name}). Choose another.</source>
-        <translation>Der Layer hat kein Feld {field} ({name}). Wählen Sie ein anderes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
-        <translation>Der Layer hat kein Feld {field}. Wählen Sie das Feld mit den Pfaden der Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>visible</source>
-        <translation>sichtbar</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden</source>
-        <translation>verdeckt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>outside the picture</source>
-        <translation>außerhalb des Bildes</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>accepted: trust it</source>
-        <translation>angenommen: vertrauenswürdig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>ambiguous: look at the report</source>
-        <translation>mehrdeutig: siehe Bericht</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>rejected: no answer</source>
-        <translation>verworfen: keine Antwort</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>failed: input at fault</source>
-        <translation>gescheitert: Eingabe fehlerhaft</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>not seen</source>
-        <translation>nicht gesehen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 photo</source>
-        <translation>1 Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>2 photos</source>
-        <translation>2 Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>3 photos</source>
-        <translation>3 Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>4 to 5 photos</source>
-        <translation>4 bis 5 Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>6 to 10 photos</source>
-        <translation>6 bis 10 Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>more than 10 photos</source>
-        <translation>mehr als 10 Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen</source>
-        <translation>gesehen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 200 m or more too low</source>
-        <translation>verdeckt, 200 m oder mehr zu niedrig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 50 m too low</source>
-        <translation>verdeckt, 50 m zu niedrig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 10 m too low</source>
-        <translation>verdeckt, 10 m zu niedrig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just hidden</source>
-        <translation>gerade noch verdeckt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just seen</source>
-        <translation>gerade noch gesehen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 10 m to spare</source>
-        <translation>gesehen, 10 m übrig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 100 m or more to spare</source>
-        <translation>gesehen, 100 m oder mehr übrig</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 (open sky)</source>
-        <translation>1 (freier Himmel)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/map_places.py"/>
-        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Höhenwinkel (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1696,7 +856,7 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Field with names</source>
         <translation>Feld mit Namen</translation>
@@ -1889,107 +1049,6 @@
         <translation>Mittlere Höhenwinkelabweichung mit Vorzeichen (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Label</source>
-        <translation>Bezeichnung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Was das Pixel zeigt: ground (Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Angle of incidence (°, 0 head-on)</source>
-        <translation>Einfallswinkel (°, 0 senkrecht)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Ground per pixel across the view (m)</source>
-        <translation>Boden je Pixel quer zur Blickrichtung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, major half axis (m)</source>
-        <translation>Fehlerellipse, große Halbachse (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, minor half axis (m)</source>
-        <translation>Fehlerellipse, kleine Halbachse (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Direction of the major axis (° from true north)</source>
-        <translation>Richtung der großen Halbachse (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Standard deviation of the elevation (m)</source>
-        <translation>Standardabweichung der Höhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that the pixel shows other ground, beyond an edge</source>
-        <translation>Wahrscheinlichkeit, dass das Pixel anderes Gelände zeigt, jenseits einer Kante</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 5 % quantile (m)</source>
-        <translation>Entfernung, 5-%-Quantil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 95 % quantile (m)</source>
-        <translation>Entfernung, 95-%-Quantil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Was es zeigt: ground (Boden), partly ground (teils Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Share of its outline that lies on known ground</source>
-        <translation>Anteil seines Umrisses, der auf bekanntem Gelände liegt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Pieces, cut where the ground behind jumps</source>
-        <translation>Stücke, zerschnitten, wo das Gelände dahinter springt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Median of the error ellipses' major half axis (m)</source>
-        <translation>Median der großen Halbachsen der Fehlerellipsen (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Largest of the error ellipses' major half axis (m)</source>
-        <translation>Größte der großen Halbachsen der Fehlerellipsen (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Mean probability that it shows other ground, beyond an edge</source>
-        <translation>Mittlere Wahrscheinlichkeit, dass es anderes Gelände zeigt, jenseits einer Kante</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Wahrscheinlichkeit, dass sie den wahren Ort enthält</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
-        <translation>Die Bildgröße ist unbekannt, darum haben seine Pixel keinen Ort.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Kein orientierter Fotopunkt für: {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Fotos orientieren</translation>
@@ -2024,168 +1083,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Anzahl der angenommenen Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>Des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Camera at the recorded altitude</source>
-        <translation>Kamera auf der aufgezeichneten Höhe</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Für Türme, Seilbahnen und Drohnen: das Auge steht auf der Höhe in der Datei, wo sie vom Meer zählt, und nicht auf dem DGM. Die Höhe eines Telefons ist oft um 10 bis 50 m falsch. Eine Kamerahöhe in einem Feld geht vor.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Ein Punkt ohne Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Ein unvorhergesehener Programmfehler hat dieses Foto gestoppt. Bitte melden Sie ihn mit den Angaben aus dem Protokoll.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>{count} photos: {parts}.</source>
-        <translation>{count} Fotos: {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Blickrichtung (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Nickwinkel (°, + nach oben)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Korrelation der Horizontlinien</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Korrelation der zweitbesten Blickrichtung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Zweitbeste Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Drittbeste Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Schärfe der Korrelationsspitze</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Blickrichtung, unteres Ende des 90-%-Intervalls (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Blickrichtung, oberes Ende des 90-%-Intervalls (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Status</source>
-        <translation>Status</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Message</source>
-        <translation>Meldung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Aufgezeichnete minus gefundene Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Meridiankonvergenz des DGM (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Höhe der Kamera (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Kamera über dem DGM (m), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Suchweite (m), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Linker Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/outputs.py"/>
-        <source>{name} could not be written.</source>
-        <translation>{name} konnte nicht geschrieben werden.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -2303,157 +1200,6 @@
         <translation>Größter Höhenwinkel (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/panorama_files.py"/>
-        <source>panorama</source>
-        <translation>Panorama</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo points</source>
-        <translation>Fotopunkte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Ein Punkt je Foto, in jedem Koordinatensystem, zum Beispiel aus „Geotaggte Fotos importieren“. Der Punkt ist der Standort der Kamera; ein Punkt ohne Geometrie nimmt die Position aus dem Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Field with the photo's path</source>
-        <translation>Feld mit dem Pfad des Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
-        <translation>Voller Pfad des Fotos; ein relativer Pfad zählt vom Ordner des Layers oder des Projekts.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte so weit reichen wie die sichtbaren Berge.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>DEM band</source>
-        <translation>Kanal des DGM</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Band that holds the heights.</source>
-        <translation>Kanal mit den Höhen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>Wie weit entfernt die Berge der Horizontlinie sein dürfen, in Metern am Boden; das Verfahren Aufsatz blickt nicht weiter als 15 km.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>robust</source>
-        <translation>robust</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>paper (as published)</source>
-        <translation>Aufsatz (wie veröffentlicht)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robust: genaue Geometrie der Kamera, alle Blickrichtungen, ein ehrlicher Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie nimmt keinen Hinweis, keine Landmarke, gezeichnete Linie oder Maske an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Aufgezeichnete Kompassrichtung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>ignore</source>
-        <translation>nicht verwenden</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>use as a hint</source>
-        <translation>als Hinweis verwenden</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorieren: Der Kompass wird nur berichtet. Hinweis: eine weiche Annahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz kennt keinen Kompass.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Camera height above ground (m)</source>
-        <translation>Kamerahöhe über Grund (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Meter über dem Geländemodell, wo keine absolute Höhe gegeben ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Meter am Boden von der Kamera aus. Dahinter wird nichts betrachtet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Refraction coefficient</source>
-        <translation>Refraktionskoeffizient</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der Suche des Verfahrens Aufsatz, für das die Erde flach ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>photo frame</source>
-        <translation>Bildausschnitt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>heading wedge</source>
-        <translation>Blicksektor</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>full circle</source>
-        <translation>Vollkreis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
-        <translation>Bildausschnitt: Gelände im Bild, mit Nick- und Rollwinkel und beiden Bildwinkeln. Blicksektor: alles Gelände im horizontalen Bildwinkel. Vollkreis: alles, was vom Standort zu sehen ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>HTML files (*.html)</source>
-        <translation>HTML-Dateien (*.html)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat für jedes Foto oder jeden Punkt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>In {folder} liegt kein Foto (JPEG, HEIC). Wählen Sie einen anderen Ordner oder schließen Sie die Unterordner ein.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <source>Coverage of a photo collection</source>
         <translation>Abdeckung einer Fotosammlung</translation>
@@ -2480,6 +1226,12 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
         <translation>Nur das Gelände darin zählt. Leer: das ganze DGM, soweit es in Reichweite eines Fotos liegt.</translation>
     </message>
@@ -2487,6 +1239,12 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
         <translation>Auf dem Gitter des DGM: wie viele Fotos jede Zelle sehen; 0 ist ein blinder Fleck, nodata liegt außerhalb des Gebiets.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Beste Bodenauflösung</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2589,51 +1347,6 @@
         <translation>Zeigt das Gelände der besten Blickrichtung, auch wo eine andere ebenso wahrscheinlich ist.</translation>
     </message>
     <message>
-        <location filename="../algorithms/picture_files.py"/>
-        <source>The point names no photo, so there is no picture to draw on.</source>
-        <translation>Der Punkt nennt kein Foto; es gibt kein Bild zum Einzeichnen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features</source>
-        <translation>Bildobjekte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Punkte, Linien oder Polygone, deren Koordinaten Pixel des aufrecht stehenden Bildes sind (wie in QGIS über dem Foto selbst gezeichnet, wo y negativ ist, oder y nach unten gezählt), oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne dieses gehören die Objekte zu jedem Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features from a labelling tool</source>
-        <translation>Bildobjekte aus einem Annotationswerkzeug</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
-        <translation>Annotationsdateien (*.json *.geojson *.csv);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
-        <translation>LabelMe, COCO, VIA, GeoJSON mit Pixelkoordinaten oder CSV mit photo, x, y (und feature, kind, label).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Give image features: a layer, or a file from a labelling tool.</source>
-        <translation>Geben Sie Bildobjekte an: einen Layer oder eine Datei aus einem Annotationswerkzeug.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features are empty: draw something on a photo first.</source>
-        <translation>Die Bildobjekte sind leer: Zeichnen Sie zuerst etwas auf ein Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
-        <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Pixels to map (monoplotting)</source>
         <translation>Pixel zur Karte (Monoplotting)</translation>
@@ -2724,84 +1437,1790 @@
         <translation>Anzahl der Objekte, die auf kein Gelände treffen</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>GPS-Position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>kleinbildäquivalente Brennweite</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Geben Sie seine Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>Das Foto {a} kann nicht gelesen werden: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>Dem Foto fehlt: {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>Es wurde keine Grenze zwischen Himmel und Gelände gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>Die Position {a}, {b} (Breite, Länge) liegt außerhalb des DGM. Verwenden Sie ein DGM, das sie abdeckt, oder berichtigen Sie die Koordinaten des Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Das DGM hat bei {a}, {b} (Breite, Länge) keine Höhe (NoData). Füllen Sie die Lücke, verwenden Sie ein anderes DGM oder geben Sie die Höhe der Kamera in HEIGHT_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>Die Bildobjekte {a} können nicht gelesen werden: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>Das Koordinatenbezugssystem {a} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>Von {a} nach {b} ist keine Transformation bekannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>Die Datei kann nicht geöffnet werden ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>Zeile {a} hat keine Zahlen für x und y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>Zeile {a} ist unvollständig ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>Ein Eintrag ist unvollständig ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>Die Datei hat keine Pixel. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>{a} x {b} Pixel sind mehr als {c} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>Die Datei endet zu früh, oder ihr Verzeichnis ist beschädigt. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>Die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind 0, 0 (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>Die Halbkugel ist nicht aufgezeichnet; wo sie fehlt, wurden Nord und Ost angenommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {b} mm galt eine kleinbildgleiche Brennweite von {a} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>Der Inhalt des Ordners {a} ist nicht zu lesen: {b}. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Das DGM {a} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>Das DGM {a} hat {b} Kanäle und keinen Kanal {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>Kanal {a} von {b} enthält komplexe Zahlen, keine Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Das DGM {a} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Das DGM {a} ist nicht georeferenziert. Bringen Sie es zuerst in ein KBS (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Das DGM {a} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>Das DGM {a} gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>Das DGM {a} kann nicht verortet werden. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>Das DGM {a} ist beschädigt ({b}). Kopieren Sie es neu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>Kanal {a} des DGM {b} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Die Datei {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>es wurde nichts geschrieben</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>Das Foto {a} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Das Foto {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>Landmarke {a} ist auf {b} getroffen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} Pixel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} Grad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>In {a} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Nur in {a} % der Spalten wurde eine Horizontlinie gefunden. Verwenden Sie ein Foto, das mehr von ihr zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>Der Horizont passt auf {a} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} braucht das Python-Paket {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>Das Bild hat nur {a} x {b} Pixel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>Das Bild hat nur eine Farbe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>Die gezeichnete Horizontlinie hat weniger als zwei Punkte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Fotopunkt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Zellen des Gebiets, die es zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Anteil des Gebiets, den es zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Platz unter den wenigsten nötigen Fotos; NULL: nicht nötig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Zellen, die es zu den zuvor gewählten hinzufügt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Anteil des Gebiets, den die Auswahl bis hierher zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>Fotos, die die Zelle sehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>Meter je Pixel quer zum Blick, bestes Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Kein Foto zeigt Gelände dieses DGM; es gibt nichts aufzulegen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>Meter je Pixel quer zum Blick</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>Meter je Pixel längs des Blicks</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>Das Geländemodell kann nicht gelesen werden. Wählen Sie eine Rasterdatei mit Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>Das Geländemodell kommt aus einer {provider}-Quelle. Speichern Sie es zuerst als GeoTIFF und wählen Sie dieses.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>GPS-Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Aufgezeichnete Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Drehung laut EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Länge (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Breite (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Aufnahmezeit (Ortszeit der Kamera)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Kleinbildäquivalente Brennweite (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Horizontaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Vertikaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Breite des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Höhe des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Bezug der aufgezeichneten Blickrichtung (T geographisch, M magnetisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Horizontaler GPS-Fehler (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Wählen Sie einen Ordner mit Fotos oder einen Layer mit Fotopunkten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Wählen Sie entweder einen Ordner mit Fotos oder einen Layer mit Fotopunkten, nicht beides.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>Den Ordner {folder} gibt es nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Kartenobjekt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (sichtbar), hidden (verdeckt), outside (außerhalb des Bildes), unknown (unbekannt)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Entfernung von der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Linie oder Ring des Objekts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Beginnt bei diesem Anteil seiner Länge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Endet bei diesem Anteil seiner Länge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Kleinste Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Größte Entfernung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Sichtbarer Anteil des ganzen Objekts</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Die Kartenobjekte sind leer oder liegen, wohin das KBS des DGM nicht reicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Eine Datei je Foto (etwa 2 MB), nur für diese Erweiterung. Ein wiederholter Lauf nimmt daraus, was sich seither nicht geändert hat (Foto, Geländemodell, Einstellungen, Version der Erweiterung), sodass ein abgebrochener Lauf dort weitermacht, wo er war.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Ordner, der Orientierungen aufbewahrt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: übernommen aus {path}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>Der Punktlayer hat kein Objekt. Wählen Sie einen anderen oder heben Sie die Auswahl auf.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Punkt {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>Der Layer hat kein Feld {field} ({name}). Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>Der Layer hat kein Feld {field}. Wählen Sie das Feld mit den Pfaden der Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>visible</source>
+        <translation>sichtbar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>outside the picture</source>
+        <translation>außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>angenommen: vertrauenswürdig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>mehrdeutig: siehe Bericht</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>verworfen: keine Antwort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>gescheitert: Eingabe fehlerhaft</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 bis 5 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 bis 10 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>mehr als 10 Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>verdeckt, 200 m oder mehr zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>verdeckt, 50 m zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>verdeckt, 10 m zu niedrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just hidden</source>
+        <translation>gerade noch verdeckt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just seen</source>
+        <translation>gerade noch gesehen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>gesehen, 10 m übrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>gesehen, 100 m oder mehr übrig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (freier Himmel)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Bezeichnung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Was das Pixel zeigt: ground (Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Einfallswinkel (°, 0 senkrecht)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Boden je Pixel quer zur Blickrichtung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Fehlerellipse, große Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Fehlerellipse, kleine Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Richtung der großen Halbachse (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Standardabweichung der Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Wahrscheinlichkeit, dass das Pixel anderes Gelände zeigt, jenseits einer Kante</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Entfernung, 5-%-Quantil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Entfernung, 95-%-Quantil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Was es zeigt: ground (Boden), partly ground (teils Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Anteil seines Umrisses, der auf bekanntem Gelände liegt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Stücke, zerschnitten, wo das Gelände dahinter springt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Median der großen Halbachsen der Fehlerellipsen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Größte der großen Halbachsen der Fehlerellipsen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Mittlere Wahrscheinlichkeit, dass es anderes Gelände zeigt, jenseits einer Kante</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Wahrscheinlichkeit, dass sie den wahren Ort enthält</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>Die Bildgröße ist unbekannt, darum haben seine Pixel keinen Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Kein orientierter Fotopunkt für: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>Des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Kamera auf der aufgezeichneten Höhe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Für Türme, Seilbahnen und Drohnen: das Auge steht auf der Höhe in der Datei, wo sie vom Meer zählt, und nicht auf dem DGM. Die Höhe eines Telefons ist oft um 10 bis 50 m falsch. Eine Kamerahöhe in einem Feld geht vor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Ein Punkt ohne Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Ein unvorhergesehener Programmfehler hat dieses Foto gestoppt. Bitte melden Sie ihn mit den Angaben aus dem Protokoll.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} Fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Nickwinkel (°, + nach oben)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Korrelation der Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Korrelation der zweitbesten Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Zweitbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Drittbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Schärfe der Korrelationsspitze</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Aufgezeichnete minus gefundene Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Meridiankonvergenz des DGM (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Höhe der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Kamera über dem DGM (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Suchweite (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Linker Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>{name} konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Fotopunkte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Ein Punkt je Foto, in jedem Koordinatensystem, zum Beispiel aus „Geotaggte Fotos importieren“. Der Punkt ist der Standort der Kamera; ein Punkt ohne Geometrie nimmt die Position aus dem Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Feld mit dem Pfad des Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Voller Pfad des Fotos; ein relativer Pfad zählt vom Ordner des Layers oder des Projekts.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte so weit reichen wie die sichtbaren Berge.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Kanal des DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Kanal mit den Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>Wie weit entfernt die Berge der Horizontlinie sein dürfen, in Metern am Boden; das Verfahren Aufsatz blickt nicht weiter als 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>robust</source>
+        <translation>robust</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>Aufsatz (wie veröffentlicht)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robust: genaue Geometrie der Kamera, alle Blickrichtungen, ein ehrlicher Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie nimmt keinen Hinweis, keine Landmarke, gezeichnete Linie oder Maske an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Aufgezeichnete Kompassrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>ignore</source>
+        <translation>nicht verwenden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>als Hinweis verwenden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorieren: Der Kompass wird nur berichtet. Hinweis: eine weiche Annahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz kennt keinen Kompass.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Kamerahöhe über Grund (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Meter über dem Geländemodell, wo keine absolute Höhe gegeben ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Meter am Boden von der Kamera aus. Dahinter wird nichts betrachtet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Refraktionskoeffizient</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der Suche des Verfahrens Aufsatz, für das die Erde flach ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>photo frame</source>
+        <translation>Bildausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>Blicksektor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>full circle</source>
+        <translation>Vollkreis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Bildausschnitt: Gelände im Bild, mit Nick- und Rollwinkel und beiden Bildwinkeln. Blicksektor: alles Gelände im horizontalen Bildwinkel. Vollkreis: alles, was vom Standort zu sehen ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>HTML-Dateien (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat für jedes Foto oder jeden Punkt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>In {folder} liegt kein Foto (JPEG, HEIC). Wählen Sie einen anderen Ordner oder schließen Sie die Unterordner ein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>Der Punkt nennt kein Foto; es gibt kein Bild zum Einzeichnen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Bildobjekte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Punkte, Linien oder Polygone, deren Koordinaten Pixel des aufrecht stehenden Bildes sind (wie in QGIS über dem Foto selbst gezeichnet, wo y negativ ist, oder y nach unten gezählt), oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne dieses gehören die Objekte zu jedem Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Bildobjekte aus einem Annotationswerkzeug</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Annotationsdateien (*.json *.geojson *.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON mit Pixelkoordinaten oder CSV mit photo, x, y (und feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Geben Sie Bildobjekte an: einen Layer oder eine Datei aus einem Annotationswerkzeug.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Die Bildobjekte sind leer: Zeichnen Sie zuerst etwas auf ein Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>ja</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>no</source>
         <translation>nein</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with an approximate heading (°)</source>
         <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
         <translation>Geographische Blickrichtung, im Uhrzeigersinn von Nord, in deren Nähe die Antwort liegen muss. NULL: keine.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Feld mit der Toleranz dieser Blickrichtung (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
         <translation>Wie weit die Blickrichtung von der ungefähren abweichen darf. NULL: 20 Grad.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Landmarks</source>
         <translation>Landmarken</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
         <translation>Punkte auf der Karte, die auf Fotos zu sehen sind: Felder photo, x und y (Pixel des aufrecht stehenden Bildes, das erste ist 0), optional elevation (m). Eine genügt, um die Blickrichtung zu bestimmen.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Drawn skylines</source>
         <translation>Gezeichnete Horizontlinien</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
         <translation>Tabelle mit den Feldern photo, column und row (Pixel des aufrecht stehenden Bildes): die Stützpunkte der Horizontlinie.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Folder of sky masks</source>
         <translation>Ordner mit Himmelsmasken</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Bilder mit den Namen der Fotos (IMG_1.png für IMG_1.heic), in denen der Himmel weiß ist.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>Die Tabelle {parameter} braucht die Felder photo, x und y (oder column und row); sie hat {fields}.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>Den Ordner mit Himmelsmasken {folder} gibt es nicht.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
         <translation>PNGs mit drei Teilen: Foto, Blickrichtung und Bildwinkel auf dem DGM, Sichtfeld mit der Kamera und, wo die Punkte einen Zeitstempel tragen, dem gegangenen Weg.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Ordner für eine Abbildung je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation>Ausdehnung des Himmelssicht-Rasters</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation>Himmelssichtfaktor jeder DGM-Zelle in der Ausdehnung, mit ihrer Hangneigung (1 = freier Himmel).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation>Leer: das ganze DGM. Eine Million Zellen braucht etwa zehn Sekunden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation>Suchweite des Himmelssicht-Rasters (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation>Gelände dahinter wird nicht betrachtet; ferne Berge nehmen wenig vom Himmel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation>Die Ausdehnung des Himmelssicht-Rasters trifft das DGM nicht. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation>Die Suchweite des Himmelssicht-Rasters darf bei einem DGM von {cell} m höchstens {most} m sein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Skylines of the photographs</source>
+        <translation>Horizontlinien der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
+        <translation>Tabelle von Horizontlinie ausziehen (photo, column, row, confidence). Gelände, das über der Horizontlinie seines Fotos erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Spalten mit einer Sicherheit unter 0,5 begrenzen nichts. Braucht den Bereich Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Foreground hides ground</source>
+        <translation>Vordergrund verdeckt Gelände</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
+        <translation>Gelände, das über der Horizontlinie des Fotos selbst erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Braucht den Bereich Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Tolerance above the skyline (°)</source>
+        <translation>Toleranz über der Horizontlinie (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
+        <translation>So weit über der Horizontlinie darf Gelände erscheinen und gilt doch als gesehen: Fehler des DGM und der Ausrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
+        <translation>Die Tabelle der Horizontlinien hat kein Feld {field}. Wählen Sie die Tabelle, die Horizontlinie ausziehen geschrieben hat.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines does not know this photo: nothing is cut off.</source>
+        <translation>Die Tabelle der Horizontlinien kennt dieses Foto nicht: Es wird nichts abgeschnitten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Punkte mit Namen und Höhen. Leer: Gipfel werden im DGM nach ihrer Schartenhöhe gesucht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Gipfel ohne Namen bleiben weg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Feld mit Höhen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>Auch Text wie 4478 wird gelesen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Kleinste Schartenhöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>Von Gipfeln, die im DGM gefunden werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Suchradius um einen veröffentlichten Gipfel (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0: den Ort nehmen, wie er veröffentlicht ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Nach oben positiv. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Nur verwendet, wo das Foto selbst fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolut, im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Unsicherheit der Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Standardabweichung, wo die Punkte kein heading_lo und heading_hi tragen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Unsicherheit des Nickwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Standardabweichung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Unsicherheit des Rollwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Unsicherheit der Brennweite (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Unsicherheit der Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Standardabweichung des Kamerastandorts, je nach Ost und Nord; ein Feld h_acc tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Unsicherheit der Kamerahöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Höhenfehler des DGM (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>Die Größe des Bildes ist unbekannt: Seine Pixel gelten für ein 4000 Pixel breites Bild.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Smallest area (m²)</source>
+        <translation>Kleinste Fläche (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
+        <translation>Kleinere Teile eines Polygons entfallen, kleinere Löcher werden gefüllt. 0 behält alles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for layers per photo</source>
+        <translation>Ordner für Ebenen je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Je Foto ein Gleitkomma-GeoTIFF mit benannten Bändern: Entfernung (m), Höhenwinkel (°), Höhe über der Sichtlinie (m; negativ: so viel höher muss ein Ziel sein, um gesehen zu werden) und, wo die Ausrichtung bekannt ist, Spalte und Zeile im Bild (px). Keine Daten außerhalb von Bereich und Reichweite.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for probabilities per photo</source>
+        <translation>Ordner für Wahrscheinlichkeiten je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
+        <translation>Je Foto ein GeoTIFF: wie wahrscheinlich das Bild eine Zelle zeigt (0 bis 1), bei den Fehlern unten und dem Intervall der Blickrichtung. Braucht den Bereich Bildausschnitt; dauert etwa fünfmal so lange.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of positions (m)</source>
+        <translation>Fehler der Positionen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation along each axis, for probabilities.</source>
+        <translation>Standardabweichung je Achse, für Wahrscheinlichkeiten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the DEM (m)</source>
+        <translation>Fehler des DGM (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
+        <translation>Standardabweichung der Höhe einer Zelle über dem, was davor steht, für Wahrscheinlichkeiten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the pitch (°)</source>
+        <translation>Fehler des Nickwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Fehler des Rollwinkels (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Er verschiebt, was weit von der Bildmitte liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the focal length (%)</source>
+        <translation>Fehler der Brennweite (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Share of the picture that the DEM explains as ground</source>
+        <translation>Anteil des Bildes, den das DGM als Gelände erklärt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.9 or more (m²)</source>
+        <translation>Gelände, mit Wahrscheinlichkeit ab 0,9 gezeigt (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.5 or more (m²)</source>
+        <translation>Gelände, mit Wahrscheinlichkeit ab 0,5 gezeigt (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>Höhe über der Sichtlinie</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>Spalte im Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>Zeile im Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
+        <translation>Keine Ebenen und Wahrscheinlichkeiten: Der Bereich hat mehr als {count} Millionen Zellen. Wählen Sie eine kürzere Höchstentfernung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
+        <translation>Keine Wahrscheinlichkeiten: Sie brauchen den Bereich Bildausschnitt, mit Nickwinkel und vertikalem Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>Wahrscheinlichkeit, dass das Foto die Zelle zeigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Fernstes sichtbares Gelände</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>Das Polygon von {name} konnte nicht gebildet werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Sichtbares Gelände (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Fernstes sichtbares Gelände (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Zielhöhe über Grund (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Höhe dessen, was betrachtet wird; 0 fragt nach dem Boden selbst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>Näheres Gelände gilt nicht als sichtbar, verdeckt aber, was dahinter liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>Die Mindestentfernung muss kleiner sein als die größte Entfernung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>horizontaler Bildwinkel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Kein Sichtfeld: {value} unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Kein Sichtfeld: Ein Bildwinkel muss zwischen 0 und 180 Grad liegen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Nickwinkel oder vertikaler Bildwinkel ist unbekannt: Gezeigt wird der Blicksektor, nicht der Bildausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2870,12 +3289,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
-        <source>Up is positive. NULL: 0.</source>
-        <translation>Nach oben positiv. NULL: 0.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>NULL: 65 degrees.</source>
         <translation>NULL: 65 Grad.</translation>
     </message>
@@ -2883,12 +3296,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Clouds</source>
         <translation>Wolken</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>none</source>
-        <translation>ohne</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3016,418 +3423,6 @@
         <translation>In 8-Bit-Stufen bei mittlerem Grau.</translation>
     </message>
     <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Extent of the sky view raster</source>
-        <translation>Ausdehnung des Himmelssicht-Rasters</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation>Himmelssichtfaktor jeder DGM-Zelle in der Ausdehnung, mit ihrer Hangneigung (1 = freier Himmel).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation>Leer: das ganze DGM. Eine Million Zellen braucht etwa zehn Sekunden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Search range of the sky view raster (m)</source>
-        <translation>Suchweite des Himmelssicht-Rasters (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>Gelände dahinter wird nicht betrachtet; ferne Berge nehmen wenig vom Himmel.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Himmelssichtfaktor</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>Die Ausdehnung des Himmelssicht-Rasters trifft das DGM nicht. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>Die Suchweite des Himmelssicht-Rasters darf bei einem DGM von {cell} m höchstens {most} m sein.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>sky view factor</source>
-        <translation>Himmelssichtfaktor</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Skylines of the photographs</source>
-        <translation>Horizontlinien der Fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Tabelle von Horizontlinie ausziehen (photo, column, row, confidence). Gelände, das über der Horizontlinie seines Fotos erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Spalten mit einer Sicherheit unter 0,5 begrenzen nichts. Braucht den Bereich Bildausschnitt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Foreground hides ground</source>
-        <translation>Vordergrund verdeckt Gelände</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>Gelände, das über der Horizontlinie des Fotos selbst erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Braucht den Bereich Bildausschnitt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Tolerance above the skyline (°)</source>
-        <translation>Toleranz über der Horizontlinie (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>So weit über der Horizontlinie darf Gelände erscheinen und gilt doch als gesehen: Fehler des DGM und der Ausrichtung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation>Die Tabelle der Horizontlinien hat kein Feld {field}. Wählen Sie die Tabelle, die Horizontlinie ausziehen geschrieben hat.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>Die Tabelle der Horizontlinien kennt dieses Foto nicht: Es wird nichts abgeschnitten.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits</source>
-        <translation>Gipfel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Punkte mit Namen und Höhen. Leer: Gipfel werden im DGM nach ihrer Schartenhöhe gesucht.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits without a name are left out.</source>
-        <translation>Gipfel ohne Namen bleiben weg.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Feld mit Höhen (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Auch Text wie 4478 wird gelesen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Least prominence (m)</source>
-        <translation>Kleinste Schartenhöhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>Von Gipfeln, die im DGM gefunden werden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Search radius around a published summit (m)</source>
-        <translation>Suchradius um einen veröffentlichten Gipfel (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0: den Ort nehmen, wie er veröffentlicht ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
-        <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewer.py"/>
-        <source>Cancelled after {done} of {count} viewsheds.</source>
-        <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Nur verwendet, wo das Foto selbst fehlt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Absolut, im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the heading (°)</source>
-        <translation>Unsicherheit der Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Standardabweichung, wo die Punkte kein heading_lo und heading_hi tragen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the pitch (°)</source>
-        <translation>Unsicherheit des Nickwinkels (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Standardabweichung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the roll (°)</source>
-        <translation>Unsicherheit des Rollwinkels (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the focal length (%)</source>
-        <translation>Unsicherheit der Brennweite (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the position (m)</source>
-        <translation>Unsicherheit der Position (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Standardabweichung des Kamerastandorts, je nach Ost und Nord; ein Feld h_acc tritt an ihre Stelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the camera's elevation (m)</source>
-        <translation>Unsicherheit der Kamerahöhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Vertical error of the DEM (m)</source>
-        <translation>Höhenfehler des DGM (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>Die Größe des Bildes ist unbekannt: Seine Pixel gelten für ein 4000 Pixel breites Bild.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Smallest area (m²)</source>
-        <translation>Kleinste Fläche (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Kleinere Teile eines Polygons entfallen, kleinere Löcher werden gefüllt. 0 behält alles.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for layers per photo</source>
-        <translation>Ordner für Ebenen je Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Je Foto ein Gleitkomma-GeoTIFF mit benannten Bändern: Entfernung (m), Höhenwinkel (°), Höhe über der Sichtlinie (m; negativ: so viel höher muss ein Ziel sein, um gesehen zu werden) und, wo die Ausrichtung bekannt ist, Spalte und Zeile im Bild (px). Keine Daten außerhalb von Bereich und Reichweite.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for probabilities per photo</source>
-        <translation>Ordner für Wahrscheinlichkeiten je Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Je Foto ein GeoTIFF: wie wahrscheinlich das Bild eine Zelle zeigt (0 bis 1), bei den Fehlern unten und dem Intervall der Blickrichtung. Braucht den Bereich Bildausschnitt; dauert etwa fünfmal so lange.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of positions (m)</source>
-        <translation>Fehler der Positionen (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation along each axis, for probabilities.</source>
-        <translation>Standardabweichung je Achse, für Wahrscheinlichkeiten.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the DEM (m)</source>
-        <translation>Fehler des DGM (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Standardabweichung der Höhe einer Zelle über dem, was davor steht, für Wahrscheinlichkeiten.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the pitch (°)</source>
-        <translation>Fehler des Nickwinkels (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Standardabweichung, für Wahrscheinlichkeiten.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the roll (°)</source>
-        <translation>Fehler des Rollwinkels (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Standardabweichung, für Wahrscheinlichkeiten. Er verschiebt, was weit von der Bildmitte liegt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the focal length (%)</source>
-        <translation>Fehler der Brennweite (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Share of the picture that the DEM explains as ground</source>
-        <translation>Anteil des Bildes, den das DGM als Gelände erklärt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation>Gelände, mit Wahrscheinlichkeit ab 0,9 gezeigt (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation>Gelände, mit Wahrscheinlichkeit ab 0,5 gezeigt (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>distance</source>
-        <translation>Entfernung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>elevation angle</source>
-        <translation>Höhenwinkel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>height above the line of sight</source>
-        <translation>Höhe über der Sichtlinie</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>column in the photograph</source>
-        <translation>Spalte im Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>row in the photograph</source>
-        <translation>Zeile im Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation>Keine Ebenen und Wahrscheinlichkeiten: Der Bereich hat mehr als {count} Millionen Zellen. Wählen Sie eine kürzere Höchstentfernung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation>Keine Wahrscheinlichkeiten: Sie brauchen den Bereich Bildausschnitt, mit Nickwinkel und vertikalem Bildwinkel.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>probability that the photograph shows the cell</source>
-        <translation>Wahrscheinlichkeit, dass das Foto die Zelle zeigt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view</source>
-        <translation>Fernstes sichtbares Gelände</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>The polygon of {name} could not be built.</source>
-        <translation>Das Polygon von {name} konnte nicht gebildet werden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view (m²)</source>
-        <translation>Sichtbares Gelände (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view (m)</source>
-        <translation>Fernstes sichtbares Gelände (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Target height above ground (m)</source>
-        <translation>Zielhöhe über Grund (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Höhe dessen, was betrachtet wird; 0 fragt nach dem Boden selbst.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>Näheres Gelände gilt nicht als sichtbar, verdeckt aber, was dahinter liegt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>The minimum distance must be smaller than the maximum distance.</source>
-        <translation>Die Mindestentfernung muss kleiner sein als die größte Entfernung.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <location filename="../core/figures_panels.py"/>
-        <source>heading</source>
-        <translation>Blickrichtung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>horizontaler Bildwinkel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Kein Sichtfeld: {value} unbekannt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
-        <translation>Kein Sichtfeld: Ein Bildwinkel muss zwischen 0 und 180 Grad liegen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
-        <translation>Nickwinkel oder vertikaler Bildwinkel ist unbekannt: Gezeigt wird der Blicksektor, nicht der Bildausschnitt.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>Welche Fotos zeigen diese Orte?</translation>
@@ -3509,7 +3504,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place</source>
         <translation>Ort</translation>
     </message>
@@ -3564,687 +3559,687 @@
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
     </message>
     <message>
-        <location filename="../core/annotate.py"/>
+        <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>beschriftetes Foto</translation>
     </message>
     <message>
-        <location filename="../core/draw_text.py"/>
-        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
-        <translation>N NNO NO ONO O OSO SO SSO S SSW SW WSW W WNW NW NNW</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>extracted skyline</source>
-        <translation>erkannte Horizontlinie</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <source>DEM horizon at {heading}</source>
-        <translation>DGM-Horizont bei {heading}</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>Blick</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>viewshed</source>
         <translation>Sichtfeld</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>photograph</source>
         <translation>Foto</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/overlay.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>extracted skyline</source>
+        <translation>erkannte Horizontlinie</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>DGM-Horizont bei {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/profile.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Das DGM hat hier keinen Horizont.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon of the DEM over all azimuths</source>
         <translation>Horizont des DGM über alle Azimute</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Image skyline against DEM horizon</source>
         <translation>Horizontlinie des Bildes gegen Horizont des DGM</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>No column of the picture was compared with the DEM.</source>
         <translation>Keine Spalte des Bildes wurde mit dem DGM verglichen.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Skyline above DEM [px]</source>
         <translation>Horizontlinie über DGM [px]</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>left</source>
         <translation>links</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>right</source>
         <translation>rechts</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Residuals along the columns: {words}.</source>
         <translation>Abweichungen entlang der Spalten: {words}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>no column compared</source>
         <translation>keine Spalte verglichen</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>median {value}</source>
         <translation>Median {value}</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of the height</source>
         <translation>{share} % der Höhe</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of columns</source>
         <translation>{share} % der Spalten</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Elevation angle</source>
         <translation>Höhenwinkel</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Distance</source>
         <translation>Entfernung</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>cut by the DEM's edge</source>
         <translation>am Rand des DGM abgeschnitten</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>void</source>
         <translation>Lücke</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
         <translation>Der Horizont ist am höchsten beim Azimut {azimuth} mit {angle} Grad, {distance} entfernt; sein Median ist {median} Grad. In {share} % der Richtungen endet das DGM zu früh.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Wertung über alle Blickrichtungen</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was scored.</source>
         <translation>Keine Blickrichtung wurde bewertet.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>compass</source>
         <translation>Kompass</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>{score} over all headings</source>
         <translation>{score} über alle Blickrichtungen</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Wertung nach Richtung, Norden oben</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was found.</source>
         <translation>Keine Blickrichtung wurde gefunden.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The best heading is {heading} from true north.</source>
         <translation>Die beste Blickrichtung ist {heading} von geographisch Nord.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Alternatives are at {headings}.</source>
         <translation>Alternativen liegen bei {headings}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The compass recorded {heading}.</source>
         <translation>Der Kompass hat {heading} aufgezeichnet.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/figures/stations.py"/>
         <source>{count} photographs within {extent} kilometres.</source>
         <translation>{count} Fotos innerhalb von {extent} Kilometern.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
-        <location filename="../core/report.py"/>
+        <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/report.py"/>
         <source>Where the photographs stand and look</source>
         <translation>Wo die Fotos stehen und wohin sie blicken</translation>
     </message>
     <message>
-        <location filename="../core/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} Fotos haben hier Zahlen, aber keine Abbildungen, damit die Seite benutzbar bleibt: Ein Bericht zeichnet die ersten {most} ganz ({accepted} angenommene). Verarbeiten Sie sie in kleineren Gruppen, um alle zu sehen.</translation>
+        <location filename="../core/figures/text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNO NO ONO O OSO SO SSO S SSW SW WSW W WNW NW NNW</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>best guess</source>
         <translation>beste Vermutung</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>likeliest of several</source>
         <translation>wahrscheinlichste von mehreren</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Pitch</source>
         <translation>Nicken</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Roll</source>
         <translation>Rollen</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>HFOV</source>
         <translation>Bildwinkel</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Compass − found</source>
         <translation>Kompass − gefunden</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye elevation</source>
         <translation>Höhe des Auges</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC</source>
         <translation>NCC</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>probability</source>
         <translation>Wahrscheinlichkeit</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} innerhalb von 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Alternatives</source>
         <translation>Alternativen</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>picture with extracted skyline and DEM horizons</source>
         <translation>Bild mit erkannter Horizontlinie und Horizonten des DGM</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>extracted</source>
         <translation>erkannt</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>DEM at {heading}</source>
         <translation>DGM bei {heading}</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>alternatives</source>
         <translation>Alternativen</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score</source>
         <translation>Wertung</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Where it looks, and the ground it shows</source>
         <translation>Wohin es blickt und welches Gelände es zeigt</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers, and the DEM's horizon</source>
         <translation>Alle Zahlen und der Horizont des DGM</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Alle Zahlen</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>accepted</source>
         <translation>angenommen</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ambiguous</source>
         <translation>mehrdeutig</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>rejected</source>
         <translation>verworfen</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>gescheitert</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Further</source>
         <translation>Weiteres</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Lage</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Match</source>
         <translation>Zuordnung</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Lens</source>
         <translation>Objektiv</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Compass</source>
         <translation>Kompass</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Place and eye</source>
         <translation>Ort und Auge</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM horizon</source>
         <translation>DGM-Horizont</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Datei</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>{low} to {high}</source>
         <translation>{low} bis {high}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Heading, true</source>
         <translation>Blickrichtung, geographisch</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>90 % interval</source>
         <translation>90-%-Intervall</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pitch, + up</source>
         <translation>Nickwinkel, + aufwärts</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Roll, + right side down</source>
         <translation>Rollwinkel, + rechts abwärts</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Alternative {rank}</source>
         <translation>Alternative {rank}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Within 3° of the truth</source>
         <translation>Höchstens 3° von der Wahrheit</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score of alternative 2</source>
         <translation>Wertung der Alternative 2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC of the second peak</source>
         <translation>NCC des zweiten Gipfels</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Sharpness of the peak</source>
         <translation>Schärfe des Gipfels</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Residual, median</source>
         <translation>Abweichung, Median</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Columns compared</source>
         <translation>Verglichene Spalten</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Horizontal field of view</source>
         <translation>Horizontaler Bildwinkel</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Vertical field of view</source>
         <translation>Vertikaler Bildwinkel</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Focal length</source>
         <translation>Brennweite</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, used</source>
         <translation>35-mm-Äquivalent, verwendet</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, EXIF</source>
         <translation>35-mm-Äquivalent, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distortion k1, k2</source>
         <translation>Verzeichnung k1, k2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from true north</source>
         <translation>von geographisch Nord</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from magnetic north</source>
         <translation>von magnetisch Nord</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>reference unknown</source>
         <translation>Bezug unbekannt</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded</source>
         <translation>Aufgezeichnet</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Turned to true north</source>
         <translation>Auf geographisch Nord gedreht</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Aufgezeichnet minus gefunden</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Latitude</source>
         <translation>Breite</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Longitude</source>
         <translation>Länge</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Positionsfehler, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye elevation, used</source>
         <translation>Höhe des Auges, verwendet</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM under the eye</source>
         <translation>DGM unter dem Auge</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye above the DEM</source>
         <translation>Auge über dem DGM</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Altitude, EXIF</source>
         <translation>Höhe, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>sea level</source>
         <translation>Meeresspiegel</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>below sea level</source>
         <translation>unter dem Meeresspiegel</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ellipsoid</source>
         <translation>Ellipsoid</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, median</source>
         <translation>Entfernung im Bild, Median</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, farthest</source>
         <translation>Entfernung im Bild, größte</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Cut by the DEM's edge in view</source>
         <translation>Im Bild am Rand des DGM abgeschnitten</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cell</source>
         <translation>Zelle</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Grid north from true north</source>
         <translation>Gitternord von geographisch Nord</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Path</source>
         <translation>Pfad</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Size, upright</source>
         <translation>Größe, aufrecht</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Taken, camera's time</source>
         <translation>Aufgenommen, Zeit der Kamera</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place and horizon</source>
         <translation>Ort und Horizont</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye and DEM</source>
         <translation>Auge und DGM</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>1 place</source>
         <translation>1 Ort</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>{count} places</source>
         <translation>{count} Orte</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Highest horizon</source>
         <translation>Höchster Horizont</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>at azimuth</source>
         <translation>beim Azimut</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Mean horizon</source>
         <translation>Mittlerer Horizont</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Median distance</source>
         <translation>Mittlere Entfernung (Median)</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Farthest</source>
         <translation>Am fernsten</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cut by DEM edge</source>
         <translation>Am Rand des DGM abgeschnitten</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Lücke</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Heading</source>
         <translation>Blickrichtung</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>90 %</source>
         <translation>90 %</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Within 3°</source>
         <translation>Innerhalb 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Second</source>
         <translation>Zweite</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Residual</source>
         <translation>Abweichung</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>all</source>
         <translation>alle</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>evidence</source>
         <translation>Anhaltspunkte</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>DEM horizon, answer</source>
         <translation>DGM-Horizont, Antwort</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>whole picture</source>
         <translation>ganzes Bild</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>Sprachkürzel: de</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Made by {software}.</source>
         <translation>Erstellt von {software}.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Diese Seite ist in sich vollständig und lädt nichts aus einem Netz. Tasten: j nächstes Foto, k voriges.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Run</source>
         <translation>Lauf</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Parameters, DEM and software</source>
         <translation>Parameter, DGM und Software</translation>
+    </message>
+    <message>
+        <location filename="../core/report/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} Fotos haben hier Zahlen, aber keine Abbildungen, damit die Seite benutzbar bleibt: Ein Bericht zeichnet die ersten {most} ganz ({accepted} angenommene). Verarbeiten Sie sie in kleineren Gruppen, um alle zu sehen.</translation>
     </message>
 </context>
 </TS>

@@ -19,13 +19,13 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Modelo digital de elevaciones (MDE)</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Maximum distance (m)</source>
         <translation>Distancia máxima (m)</translation>
@@ -45,8 +45,8 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Oriented photos</source>
         <translation>Fotos orientadas</translation>
     </message>
@@ -54,7 +54,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Viewshed</source>
         <translation>Cuenca visual</translation>
     </message>
@@ -62,7 +62,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view</source>
         <translation>Terreno visible</translation>
     </message>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Report</source>
         <translation>Informe</translation>
     </message>
@@ -195,488 +195,6 @@
         <translation>No se puede escribir {name}: {folder} no es una carpeta en la que usted pueda escribir.</translation>
     </message>
     <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>posición GPS</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>distancia focal (equivalente en 35 mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Désela con la geometría de una capa de puntos de fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Dé sus ángulos de visión en HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>No se puede leer la foto {a}: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>A la foto le falta: {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>No se halló ningún límite entre cielo y terreno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Use una foto que muestre una línea del horizonte de montañas, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>La posición {a}, {b} (latitud, longitud) está fuera del MDE. Use un MDE que la cubra o corrija las coordenadas de la foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>El MDE no tiene altitud (sin datos) en {a}, {b} (latitud, longitud). Rellene el hueco, use otro MDE o dé la altitud de la cámara en HEIGHT_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>No se pueden leer los objetos de la imagen {a}: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>No se entiende el sistema de referencia de coordenadas {a}. Asigne uno válido.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>No se conoce ninguna transformación de {a} a {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>no se puede abrir ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>no es JSON válido. Expórtelo de nuevo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>la línea {a} no tiene números para x e y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>la línea {a} está incompleta ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>una entrada está incompleta ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>no tiene píxeles. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>sus {a} x {b} píxeles son más de {c} megapíxeles. Reduzca antes la imagen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>termina antes de tiempo o su directorio está dañado. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>no existe tal archivo. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Las coordenadas registradas son 0, 0 (sin señal GPS) y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>El hemisferio no está registrado; donde falta se han supuesto norte y este.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {a} mm en vez de {b} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>No se puede listar la carpeta {a}: {b}. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>El MDE {a} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>El MDE {a} tiene {b} banda(s) y ninguna banda {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>La banda {a} de {b} contiene números complejos, no altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>El MDE {a} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>El MDE {a} no está georreferenciado. Llévelo primero a un SRC (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>El MDE {a} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>El MDE {a} no existe. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>El MDE {a} no se puede situar. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>El MDE {a} está dañado ({b}). Cópielo de nuevo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>La banda {a} del MDE {b} no tiene ninguna celda válida. Elija otro MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>No se puede escribir el archivo {a}: {b}. Elija otra carpeta o libere espacio.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>no se escribió nada</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>No se puede escribir la foto {a}: llámela .jpg o .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>No se puede escribir la foto {a}: {b}. Elija otra carpeta o libere espacio.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>El punto de referencia {a} se acierta con {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} píxeles</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} grados</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>above</source>
-        <translation>por encima</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>below</source>
-        <translation>por debajo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>En el {a} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Solo se halló una línea del horizonte en el {a} % de las columnas. Use una foto que muestre más de ella, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>El horizonte encaja en el {a} % de las columnas, y ningún otro rumbo se le acerca.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} necesita el paquete de Python {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
-        <translation>En {a} lugares no se halló ninguna vista de una cresta. Use un MDE con más relieve.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>La imagen tiene solo {a} x {b} píxeles.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>La imagen tiene un solo color.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>La línea del horizonte dibujada tiene menos de dos puntos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Photo point</source>
-        <translation>Punto de foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/measure_offsets.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Photo</source>
-        <translation>Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells of the area that it sees</source>
-        <translation>Celdas del área que muestra</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area that it sees</source>
-        <translation>Parte del área que muestra</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Place among the fewest photos needed; NULL: not needed</source>
-        <translation>Puesto entre las menos fotos necesarias; NULL: no necesaria</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells that it adds to those picked before</source>
-        <translation>Celdas que añade a las elegidas antes</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area seen by the picks up to here</source>
-        <translation>Parte del área que muestran las elegidas hasta aquí</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>photographs that see the cell</source>
-        <translation>fotografías que ven la celda</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Número de fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>metres per pixel across the view, best photo</source>
-        <translation>metros por píxel a través de la vista, mejor foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Best ground sampling distance</source>
-        <translation>Mejor resolución sobre el terreno</translation>
-    </message>
-    <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Directed viewshed</source>
         <translation>Cuenca visual dirigida</translation>
@@ -714,21 +232,21 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Oriented photo points</source>
         <translation>Puntos de fotos orientadas</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
         <translation>De «Orientar fotos», o cualesquiera puntos con rumbo, cabeceo, alabeo y ángulo de visión.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the camera's elevation (m)</source>
         <translation>Campo con la altitud de la cámara (m)</translation>
     </message>
@@ -763,36 +281,36 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the heading (°)</source>
         <translation>Campo con el rumbo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>True, clockwise from north.</source>
         <translation>Geográfico, en sentido horario desde el norte.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the horizontal field of view (°)</source>
         <translation>Campo con el ángulo de visión horizontal (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Of the upright picture.</source>
         <translation>De la imagen enderezada.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the pitch (°)</source>
         <translation>Campo con el cabeceo (°)</translation>
     </message>
@@ -803,21 +321,21 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the roll (°)</source>
         <translation>Campo con el alabeo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Right side down is positive. NULL: 0.</source>
         <translation>Positivo si el lado derecho está más bajo. NULL: 0.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Field with the vertical field of view (°)</source>
         <translation>Campo con el ángulo de visión vertical (°)</translation>
     </message>
@@ -878,7 +396,7 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <location filename="../algorithms/visibility.py"/>
+        <location filename="../algorithms/shared/visibility.py"/>
         <source>Minimum distance (m)</source>
         <translation>Distancia mínima (m)</translation>
     </message>
@@ -921,51 +439,6 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>El punto no nombra ninguna foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
-        <translation>Ninguna foto muestra terreno de este MDE: no hay nada que extender.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>red</source>
-        <translation>rojo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>green</source>
-        <translation>verde</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>blue</source>
-        <translation>azul</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>opacity</source>
-        <translation>opacidad</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel across the view</source>
-        <translation>metros por píxel a través de la vista</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel along the view</source>
-        <translation>metros por píxel a lo largo de la vista</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
-        <translation>No se puede leer el modelo digital de elevaciones. Elija un archivo ráster con altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
-        <translation>El modelo digital de elevaciones procede de una fuente {provider}. Guárdelo primero como GeoTIFF y elija este.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1024,9 +497,23 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Photo</source>
+        <translation>Foto</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1042,117 +529,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Confidence (0 to 1)</source>
         <translation>Confianza (0 a 1)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/feedback.py"/>
-        <source>{name} ({number}/{count})</source>
-        <translation>{name} ({number}/{count})</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Folder</source>
-        <translation>Carpeta</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>Altitud GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Rumbo registrado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Rotación según EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Longitud (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Latitud (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Momento de la toma (hora local de la cámara)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Distancia focal equivalente en 35 mm (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Ángulo de visión horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Ángulo de visión vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Anchura de la imagen enderezada (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Altura de la imagen enderezada (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Referencia del rumbo registrado (T norte geográfico, M norte magnético)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Error horizontal del GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../core/report_facts.py"/>
-        <source>Camera</source>
-        <translation>Cámara</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Reason</source>
-        <translation>Motivo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose a folder of photographs or a layer of photo points.</source>
-        <translation>Elija una carpeta de fotografías o una capa de puntos de fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
-        <translation>Elija o una carpeta de fotografías o una capa de puntos de fotos, no ambas.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>The folder {folder} does not exist.</source>
-        <translation>La carpeta {folder} no existe.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1209,7 +585,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon</source>
         <translation>Horizonte</translation>
     </message>
@@ -1226,23 +602,23 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>The point has no usable position.</source>
         <translation>El punto no tiene una posición utilizable.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Punto de origen</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/image_features.py"/>
         <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Azimuth (° from true north)</source>
         <translation>Acimut (° desde el norte geográfico)</translation>
     </message>
@@ -1265,86 +641,6 @@
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Sky view factor of the source point</source>
         <translation>Factor de visión del cielo del punto de origen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Map feature</source>
-        <translation>Objeto del mapa</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>visible, hidden, outside the frame, unknown</source>
-        <translation>visible (visible), hidden (oculto), outside (fuera del encuadre), unknown (desconocido)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Column (px)</source>
-        <translation>Columna (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Row (px)</source>
-        <translation>Fila (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance from the camera (m)</source>
-        <translation>Distancia a la cámara (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation angle (°)</source>
-        <translation>Ángulo de elevación (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation (m)</source>
-        <translation>Altitud (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Line or ring of the feature</source>
-        <translation>Línea o anillo del objeto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Begins at this share of its length</source>
-        <translation>Empieza en esta parte de su longitud</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Ends at this share of its length</source>
-        <translation>Termina en esta parte de su longitud</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Nearest distance (m)</source>
-        <translation>Menor distancia (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Farthest distance (m)</source>
-        <translation>Mayor distancia (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Share of the whole feature that is visible</source>
-        <translation>Parte visible del objeto entero</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Los objetos del mapa están vacíos o se hallan donde el SRC del MDE no alcanza.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1393,6 +689,16 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
         <source>Number of rejected photos</source>
         <translation>Número de fotos rechazadas</translation>
     </message>
@@ -1400,23 +706,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>The photo has no GPS position.</source>
         <translation>La foto no tiene posición GPS.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Un archivo por foto (unos 2 MB), solo para este complemento. Una ejecución repetida toma de él lo que no ha cambiado desde entonces (foto, MDE, ajustes, versión del complemento), de modo que una ejecución interrumpida sigue donde estaba.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Carpeta que conserva las orientaciones</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name}: tomado de {path}</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1505,159 +794,30 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Columna (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Fila (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Distance (m)</source>
         <translation>Distancia (m)</translation>
     </message>
     <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
-        <translation>La capa de puntos no tiene ningún objeto. Elija otra o deshaga la selección.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>Point {id}</source>
-        <translation>Punto {id}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field} ({name}). Choose another.</source>
-        <translation>La capa no tiene el campo {field} ({name}). Elija otro.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
-        <translation>La capa no tiene el campo {field}. Elija el campo que contiene las rutas de las fotografías.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>visible</source>
-        <translation>visible</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden</source>
-        <translation>oculto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>outside the picture</source>
-        <translation>fuera de la imagen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>unknown</source>
-        <translation>desconocido</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>accepted: trust it</source>
-        <translation>aceptada: fiable</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>ambiguous: look at the report</source>
-        <translation>ambigua: vea el informe</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>rejected: no answer</source>
-        <translation>rechazada: sin respuesta</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>failed: input at fault</source>
-        <translation>fallida: entrada defectuosa</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>not seen</source>
-        <translation>no visto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 photo</source>
-        <translation>1 foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>2 photos</source>
-        <translation>2 fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>3 photos</source>
-        <translation>3 fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>4 to 5 photos</source>
-        <translation>4 a 5 fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>6 to 10 photos</source>
-        <translation>6 a 10 fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>more than 10 photos</source>
-        <translation>más de 10 fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen</source>
-        <translation>visto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 200 m or more too low</source>
-        <translation>oculto, 200 m o más de menos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 50 m too low</source>
-        <translation>oculto, 50 m de menos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 10 m too low</source>
-        <translation>oculto, 10 m de menos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just hidden</source>
-        <translation>apenas oculto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just seen</source>
-        <translation>apenas visto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 10 m to spare</source>
-        <translation>visto, 10 m de sobra</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 100 m or more to spare</source>
-        <translation>visto, 100 m o más de sobra</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 (open sky)</source>
-        <translation>1 (cielo abierto)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/map_places.py"/>
-        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Ángulo de elevación (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1696,7 +856,7 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Field with names</source>
         <translation>Campo con los nombres</translation>
@@ -1889,107 +1049,6 @@
         <translation>Desviación media con signo en elevación (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Label</source>
-        <translation>Etiqueta</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Lo que muestra el píxel: ground (suelo), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Angle of incidence (°, 0 head-on)</source>
-        <translation>Ángulo de incidencia (°, 0 de frente)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Ground per pixel across the view (m)</source>
-        <translation>Terreno por píxel transversal a la vista (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, major half axis (m)</source>
-        <translation>Elipse de error, semieje mayor (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, minor half axis (m)</source>
-        <translation>Elipse de error, semieje menor (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Direction of the major axis (° from true north)</source>
-        <translation>Dirección del eje mayor (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Standard deviation of the elevation (m)</source>
-        <translation>Desviación típica de la altitud (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that the pixel shows other ground, beyond an edge</source>
-        <translation>Probabilidad de que el píxel muestre otro terreno, más allá de un borde</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 5 % quantile (m)</source>
-        <translation>Distancia, cuantil del 5 % (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 95 % quantile (m)</source>
-        <translation>Distancia, cuantil del 95 % (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Lo que muestra: ground (suelo), partly ground (suelo en parte), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Share of its outline that lies on known ground</source>
-        <translation>Parte de su contorno que está sobre terreno conocido</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Pieces, cut where the ground behind jumps</source>
-        <translation>Trozos, cortados donde salta el terreno de detrás</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Median of the error ellipses' major half axis (m)</source>
-        <translation>Mediana de los semiejes mayores de las elipses de error (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Largest of the error ellipses' major half axis (m)</source>
-        <translation>Mayor de los semiejes mayores de las elipses de error (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Mean probability that it shows other ground, beyond an edge</source>
-        <translation>Probabilidad media de que muestre otro terreno, más allá de un borde</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Probabilidad de que contenga el lugar verdadero</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
-        <translation>Se desconoce el tamaño de la imagen, por lo que sus píxeles no pueden situarse.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>No hay punto de foto orientada para: {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Orientar fotos</translation>
@@ -2024,168 +1083,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Número de fotos aceptadas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>De la imagen enderezada, a través de su centro. NULL: según la distancia focal del archivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Camera at the recorded altitude</source>
-        <translation>Cámara a la altitud registrada</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Para torres, teleféricos y drones: el ojo está a la altitud del archivo, si se cuenta desde el mar, y no sobre el MDE. La altitud de un teléfono suele errar entre 10 y 50 m. Una elevación de la cámara en un campo tiene prioridad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Un punto sin foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Cancelado tras {done} de {count} fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Un fallo imprevisto del programa detuvo esta foto. Comuníquelo, por favor, con los detalles del registro.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>{count} photos: {parts}.</source>
-        <translation>{count} fotos: {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Rumbo (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Cabeceo (°, + hacia arriba)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Alabeo (°, + lado derecho más bajo)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Correlación de las líneas del horizonte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Correlación del segundo mejor rumbo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Segundo mejor rumbo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Tercer mejor rumbo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Nitidez del pico de correlación</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Rumbo, extremo inferior del intervalo del 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Rumbo, extremo superior del intervalo del 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Status</source>
-        <translation>Estado</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Message</source>
-        <translation>Mensaje</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Rumbo registrado (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Rumbo registrado menos rumbo hallado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Convergencia de meridianos del MDE (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Distancia del horizonte en el rumbo (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitud de la cámara (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Cámara sobre el MDE (m), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Alcance de búsqueda (m), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Borde izquierdo de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/outputs.py"/>
-        <source>{name} could not be written.</source>
-        <translation>No se pudo escribir {name}.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -2303,157 +1200,6 @@
         <translation>Mayor ángulo de elevación (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/panorama_files.py"/>
-        <source>panorama</source>
-        <translation>panorama</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo points</source>
-        <translation>Puntos de fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Un punto por fotografía, en cualquier sistema de coordenadas, por ejemplo de «Importar fotos geoetiquetadas». El punto es la posición de la cámara; un punto sin geometría toma la posición inscrita en la fotografía.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Field with the photo's path</source>
-        <translation>Campo con la ruta de la foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
-        <translation>Ruta completa de la fotografía; una ruta relativa parte de la carpeta de la capa o del proyecto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería llegar tan lejos como las montañas que se ven.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>DEM band</source>
-        <translation>Banda del MDE</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Band that holds the heights.</source>
-        <translation>Banda que contiene las altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno; el método artículo no mira más allá de 15 km.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Method</source>
-        <translation>Método</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>robust</source>
-        <translation>robusto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>paper (as published)</source>
-        <translation>artículo (tal como se publicó)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no admite indicación, punto de referencia, línea dibujada ni máscara.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Rumbo de brújula registrado</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>ignore</source>
-        <translation>ignorar</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>use as a hint</source>
-        <translation>usar como indicio</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorar: la brújula solo se informa. Indicación: una creencia flexible, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara se impone. El método artículo no conoce la brújula.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Camera height above ground (m)</source>
-        <translation>Altura de la cámara sobre el terreno (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Metros sobre el MDE, donde no se da una altitud absoluta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Metros sobre el terreno desde la cámara. Más allá no se examina nada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Refraction coefficient</source>
-        <translation>Coeficiente de refracción</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda del método artículo, para el que la tierra es plana.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Area</source>
-        <translation>Área</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>photo frame</source>
-        <translation>encuadre de la foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>heading wedge</source>
-        <translation>sector de visión</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>full circle</source>
-        <translation>círculo completo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
-        <translation>Encuadre de la foto: terreno dentro de la imagen, con cabeceo, alabeo y ambos ángulos de visión. Sector de visión: todo el terreno dentro del ángulo de visión horizontal. Círculo completo: todo lo que se ve desde el lugar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>HTML files (*.html)</source>
-        <translation>Archivos HTML (*.html)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Un archivo HTML autónomo con figuras, números y consejos para cada foto o punto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>En {folder} no hay ninguna fotografía (JPEG, HEIC). Elija otra carpeta o incluya las subcarpetas.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <source>Coverage of a photo collection</source>
         <translation>Cobertura de una colección de fotos</translation>
@@ -2480,6 +1226,12 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
         <translation>Solo cuenta el terreno del interior. Vacío: todo el MDE, en la medida en que esté al alcance de una foto.</translation>
     </message>
@@ -2487,6 +1239,12 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
         <translation>En la cuadrícula del MDE: cuántas fotografías ven cada celda; 0 es un punto ciego, nodata queda fuera del área.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Mejor resolución sobre el terreno</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2589,51 +1347,6 @@
         <translation>Muestra el terreno del mejor rumbo aunque otro sea igual de probable.</translation>
     </message>
     <message>
-        <location filename="../algorithms/picture_files.py"/>
-        <source>The point names no photo, so there is no picture to draw on.</source>
-        <translation>El punto no nombra ninguna foto, así que no hay imagen sobre la que dibujar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features</source>
-        <translation>Objetos de la imagen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen enderezada (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features from a labelling tool</source>
-        <translation>Objetos de la imagen de una herramienta de etiquetado</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
-        <translation>Archivos de etiquetas (*.json *.geojson *.csv);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
-        <translation>LabelMe, COCO, VIA, GeoJSON con coordenadas de píxel, o CSV con photo, x, y (y feature, kind, label).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Give image features: a layer, or a file from a labelling tool.</source>
-        <translation>Dé objetos de la imagen: una capa, o un archivo de una herramienta de etiquetado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features are empty: draw something on a photo first.</source>
-        <translation>Los objetos de la imagen están vacíos: dibuje primero algo sobre una foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
-        <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Pixels to map (monoplotting)</source>
         <translation>De los píxeles al mapa (monoplotting)</translation>
@@ -2724,84 +1437,1790 @@
         <translation>Número de objetos que no dan con terreno</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>posición GPS</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>distancia focal (equivalente en 35 mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Désela con la geometría de una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Dé sus ángulos de visión en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>No se puede leer la foto {a}: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>A la foto le falta: {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>No se halló ningún límite entre cielo y terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Use una foto que muestre una línea del horizonte de montañas, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La posición {a}, {b} (latitud, longitud) está fuera del MDE. Use un MDE que la cubra o corrija las coordenadas de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>El MDE no tiene altitud (sin datos) en {a}, {b} (latitud, longitud). Rellene el hueco, use otro MDE o dé la altitud de la cámara en HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>No se pueden leer los objetos de la imagen {a}: {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>No se entiende el sistema de referencia de coordenadas {a}. Asigne uno válido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>No se conoce ninguna transformación de {a} a {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>no se puede abrir ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>no es JSON válido. Expórtelo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>la línea {a} no tiene números para x e y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>la línea {a} está incompleta ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>una entrada está incompleta ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>no tiene píxeles. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>sus {a} x {b} píxeles son más de {c} megapíxeles. Reduzca antes la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>termina antes de tiempo o su directorio está dañado. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>no existe tal archivo. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas son 0, 0 (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>El hemisferio no está registrado; donde falta se han supuesto norte y este.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {a} mm en vez de {b} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>No se puede listar la carpeta {a}: {b}. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>El MDE {a} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>El MDE {a} tiene {b} banda(s) y ninguna banda {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>La banda {a} de {b} contiene números complejos, no altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>El MDE {a} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>El MDE {a} no está georreferenciado. Llévelo primero a un SRC (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>El MDE {a} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>El MDE {a} no existe. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>El MDE {a} no se puede situar. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>El MDE {a} está dañado ({b}). Cópielo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>La banda {a} del MDE {b} no tiene ninguna celda válida. Elija otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir el archivo {a}: {b}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>no se escribió nada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>No se puede escribir la foto {a}: llámela .jpg o .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir la foto {a}: {b}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>El punto de referencia {a} se acierta con {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} píxeles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} grados</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>above</source>
+        <translation>por encima</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>below</source>
+        <translation>por debajo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>En el {a} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Solo se halló una línea del horizonte en el {a} % de las columnas. Use una foto que muestre más de ella, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>El horizonte encaja en el {a} % de las columnas, y ningún otro rumbo se le acerca.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} necesita el paquete de Python {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>La imagen tiene solo {a} x {b} píxeles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>La imagen tiene un solo color.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La línea del horizonte dibujada tiene menos de dos puntos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Punto de foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Celdas del área que muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Parte del área que muestra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Puesto entre las menos fotos necesarias; NULL: no necesaria</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Celdas que añade a las elegidas antes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Parte del área que muestran las elegidas hasta aquí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>fotografías que ven la celda</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>metros por píxel a través de la vista, mejor foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Ninguna foto muestra terreno de este MDE: no hay nada que extender.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>opacidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>metros por píxel a través de la vista</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>metros por píxel a lo largo de la vista</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>No se puede leer el modelo digital de elevaciones. Elija un archivo ráster con altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>El modelo digital de elevaciones procede de una fuente {provider}. Guárdelo primero como GeoTIFF y elija este.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitud GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Rumbo registrado (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotación según EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Momento de la toma (hora local de la cámara)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Distancia focal equivalente en 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Ángulo de visión horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Ángulo de visión vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Anchura de la imagen enderezada (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Altura de la imagen enderezada (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Referencia del rumbo registrado (T norte geográfico, M norte magnético)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Error horizontal del GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Reason</source>
+        <translation>Motivo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Elija una carpeta de fotografías o una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Elija o una carpeta de fotografías o una capa de puntos de fotos, no ambas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>La carpeta {folder} no existe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Objeto del mapa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (visible), hidden (oculto), outside (fuera del encuadre), unknown (desconocido)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Distancia a la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Altitud (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Línea o anillo del objeto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Empieza en esta parte de su longitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Termina en esta parte de su longitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Menor distancia (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Mayor distancia (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Parte visible del objeto entero</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Los objetos del mapa están vacíos o se hallan donde el SRC del MDE no alcanza.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Un archivo por foto (unos 2 MB), solo para este complemento. Una ejecución repetida toma de él lo que no ha cambiado desde entonces (foto, MDE, ajustes, versión del complemento), de modo que una ejecución interrumpida sigue donde estaba.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Carpeta que conserva las orientaciones</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name}: tomado de {path}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>La capa de puntos no tiene ningún objeto. Elija otra o deshaga la selección.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Punto {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>La capa no tiene el campo {field} ({name}). Elija otro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>La capa no tiene el campo {field}. Elija el campo que contiene las rutas de las fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>outside the picture</source>
+        <translation>fuera de la imagen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>aceptada: fiable</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>ambigua: vea el informe</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>rechazada: sin respuesta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>fallida: entrada defectuosa</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>not seen</source>
+        <translation>no visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 a 5 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 a 10 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>más de 10 fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen</source>
+        <translation>visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>oculto, 200 m o más de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>oculto, 50 m de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>oculto, 10 m de menos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just hidden</source>
+        <translation>apenas oculto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just seen</source>
+        <translation>apenas visto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>visto, 10 m de sobra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>visto, 100 m o más de sobra</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (cielo abierto)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Lo que muestra el píxel: ground (suelo), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Ángulo de incidencia (°, 0 de frente)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Terreno por píxel transversal a la vista (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Elipse de error, semieje mayor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Elipse de error, semieje menor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Dirección del eje mayor (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Desviación típica de la altitud (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Probabilidad de que el píxel muestre otro terreno, más allá de un borde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Distancia, cuantil del 5 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Distancia, cuantil del 95 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Lo que muestra: ground (suelo), partly ground (suelo en parte), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Parte de su contorno que está sobre terreno conocido</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Trozos, cortados donde salta el terreno de detrás</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Mediana de los semiejes mayores de las elipses de error (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Mayor de los semiejes mayores de las elipses de error (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Probabilidad media de que muestre otro terreno, más allá de un borde</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Probabilidad de que contenga el lugar verdadero</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>Se desconoce el tamaño de la imagen, por lo que sus píxeles no pueden situarse.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>No hay punto de foto orientada para: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>De la imagen enderezada, a través de su centro. NULL: según la distancia focal del archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Cámara a la altitud registrada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Para torres, teleféricos y drones: el ojo está a la altitud del archivo, si se cuenta desde el mar, y no sobre el MDE. La altitud de un teléfono suele errar entre 10 y 50 m. Una elevación de la cámara en un campo tiene prioridad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un punto sin foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Cancelado tras {done} de {count} fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Un fallo imprevisto del programa detuvo esta foto. Comuníquelo, por favor, con los detalles del registro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Rumbo (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Cabeceo (°, + hacia arriba)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Alabeo (°, + lado derecho más bajo)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Correlación de las líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Correlación del segundo mejor rumbo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Segundo mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Tercer mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Nitidez del pico de correlación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Rumbo registrado (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Rumbo registrado menos rumbo hallado (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergencia de meridianos del MDE (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distancia del horizonte en el rumbo (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Cámara sobre el MDE (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Alcance de búsqueda (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde izquierdo de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>No se pudo escribir {name}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Puntos de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Un punto por fotografía, en cualquier sistema de coordenadas, por ejemplo de «Importar fotos geoetiquetadas». El punto es la posición de la cámara; un punto sin geometría toma la posición inscrita en la fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Campo con la ruta de la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Ruta completa de la fotografía; una ruta relativa parte de la carpeta de la capa o del proyecto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería llegar tan lejos como las montañas que se ven.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Banda del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Banda que contiene las altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno; el método artículo no mira más allá de 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>robust</source>
+        <translation>robusto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>artículo (tal como se publicó)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no admite indicación, punto de referencia, línea dibujada ni máscara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Rumbo de brújula registrado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>ignore</source>
+        <translation>ignorar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>usar como indicio</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorar: la brújula solo se informa. Indicación: una creencia flexible, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara se impone. El método artículo no conoce la brújula.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Altura de la cámara sobre el terreno (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Metros sobre el MDE, donde no se da una altitud absoluta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Metros sobre el terreno desde la cámara. Más allá no se examina nada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Coeficiente de refracción</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda del método artículo, para el que la tierra es plana.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>photo frame</source>
+        <translation>encuadre de la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>sector de visión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>full circle</source>
+        <translation>círculo completo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Encuadre de la foto: terreno dentro de la imagen, con cabeceo, alabeo y ambos ángulos de visión. Sector de visión: todo el terreno dentro del ángulo de visión horizontal. Círculo completo: todo lo que se ve desde el lugar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>Archivos HTML (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Un archivo HTML autónomo con figuras, números y consejos para cada foto o punto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>En {folder} no hay ninguna fotografía (JPEG, HEIC). Elija otra carpeta o incluya las subcarpetas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>El punto no nombra ninguna foto, así que no hay imagen sobre la que dibujar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Objetos de la imagen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen enderezada (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Objetos de la imagen de una herramienta de etiquetado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Archivos de etiquetas (*.json *.geojson *.csv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON con coordenadas de píxel, o CSV con photo, x, y (y feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Dé objetos de la imagen: una capa, o un archivo de una herramienta de etiquetado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Los objetos de la imagen están vacíos: dibuje primero algo sobre una foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>sí</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>no</source>
         <translation>no</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with an approximate heading (°)</source>
         <translation>Campo con un rumbo aproximado (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
         <translation>Rumbo geográfico, en sentido horario desde el norte, cerca del cual debe estar la respuesta. NULL: ninguno.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Campo con la tolerancia de ese rumbo (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
         <translation>Cuánto puede apartarse el rumbo del aproximado. NULL: 20 grados.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Landmarks</source>
         <translation>Puntos de referencia</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
         <translation>Puntos del mapa que se ven en las fotografías: campos photo, x e y (píxeles de la imagen enderezada, el primero es 0), opcionalmente elevation (m). Uno basta para determinar el rumbo.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Drawn skylines</source>
         <translation>Líneas del horizonte dibujadas</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
         <translation>Tabla con los campos photo, column y row (píxeles de la imagen enderezada): los vértices de la línea del horizonte.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Folder of sky masks</source>
         <translation>Carpeta de máscaras del cielo</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Imágenes con el nombre de las fotografías (IMG_1.png para IMG_1.heic) en las que el cielo es blanco.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>La tabla {parameter} necesita los campos photo, x e y (o column y row); tiene {fields}.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>La carpeta de máscaras del cielo {folder} no existe.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
         <translation>PNG en tres paneles: fotografía, rumbo y ángulo de visión sobre el MDE, cuenca visual con la cámara y, si los puntos llevan marca de tiempo, el camino recorrido.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Carpeta para una figura por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation>Extensión del ráster de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation>Factor de visión del cielo de cada celda del MDE en la extensión, con su pendiente (1 = cielo abierto).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation>Vacío: todo el MDE. Un millón de celdas tarda unos diez segundos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation>Alcance de búsqueda del ráster de visión del cielo (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation>El terreno más lejano no se examina; las montañas distantes ocupan poco cielo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Factor de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation>La extensión del ráster de visión del cielo no toca el MDE. Elija otra.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation>El alcance de búsqueda del ráster de visión del cielo puede ser de {most} m como máximo con un MDE de {cell} m.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>factor de visión del cielo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Skylines of the photographs</source>
+        <translation>Líneas de horizonte de las fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
+        <translation>Tabla de Extraer la línea del horizonte (photo, column, row, confidence). El terreno que aparecería por encima de la línea del horizonte de su foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Las columnas con una confianza inferior a 0,5 no limitan nada. Necesita el área encuadre de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Foreground hides ground</source>
+        <translation>El primer plano oculta terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
+        <translation>El terreno que aparecería por encima de la línea del horizonte de la propia foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Necesita el área encuadre de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Tolerance above the skyline (°)</source>
+        <translation>Tolerancia sobre la línea del horizonte (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
+        <translation>Hasta esta altura sobre la línea del horizonte el terreno aún se da por visto: errores del MDE y de la orientación.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
+        <translation>La tabla de líneas del horizonte no tiene el campo {field}. Elija la tabla que escribió Extraer la línea del horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines does not know this photo: nothing is cut off.</source>
+        <translation>La tabla de líneas del horizonte no conoce esta foto: no se recorta nada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Cimas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Puntos con nombres y altitudes. Vacío: las cimas se buscan en el MDE por su prominencia.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Las cimas sin nombre se dejan fuera.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Campo con las altitudes (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>También se lee texto como 4478.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Prominencia mínima (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>De las cimas halladas en el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Radio de búsqueda alrededor de una cima publicada (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0: tomar el lugar tal como se publicó.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>La capa de cimas no tiene el campo {field}. Elija el campo con los nombres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Positivo hacia arriba. NULL: 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Solo se usa donde falta la propia fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absoluta, en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Incertidumbre del rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Desviación típica, donde los puntos no llevan heading_lo y heading_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Incertidumbre del cabeceo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Desviación típica.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Incertidumbre del alabeo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Incertidumbre de la distancia focal (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Incertidumbre de la posición (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Desviación típica del lugar de la cámara, al este y al norte cada una; la sustituye un campo h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Incertidumbre de la altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Error vertical del MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>Se desconoce el tamaño de la imagen: sus píxeles se toman como los de una imagen de 4000 px de ancho.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La foto no tiene rumbo; oriéntela primero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La foto no tiene un ángulo de visión horizontal entre 0 y 180 grados; oriéntela primero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Smallest area (m²)</source>
+        <translation>Superficie mínima (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
+        <translation>Las partes menores de un polígono se omiten y los huecos menores se rellenan. 0 conserva todo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for layers per photo</source>
+        <translation>Carpeta para capas por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Un GeoTIFF de coma flotante por foto con bandas con nombre: distancia (m), ángulo de elevación (°), altura sobre la línea de visión (m; negativa: tanto más alto debe ser un objetivo para verse) y, si se conoce la orientación, columna y fila en la imagen (px). Sin datos fuera del área y del alcance.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for probabilities per photo</source>
+        <translation>Carpeta para probabilidades por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
+        <translation>Un GeoTIFF por foto: probabilidad de que la imagen muestre una celda (0 a 1), dados los errores de abajo y el intervalo del rumbo. Necesita el área encuadre de la foto; tarda unas cinco veces más.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of positions (m)</source>
+        <translation>Error de las posiciones (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation along each axis, for probabilities.</source>
+        <translation>Desviación típica en cada eje, para las probabilidades.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the DEM (m)</source>
+        <translation>Error del MDE (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
+        <translation>Desviación típica de la altura de una celda sobre lo que tiene delante, para las probabilidades.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the pitch (°)</source>
+        <translation>Error del cabeceo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities.</source>
+        <translation>Desviación típica, para las probabilidades.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Error del alabeo (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Desviación típica, para las probabilidades. Desplaza lo que queda lejos del centro de la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the focal length (%)</source>
+        <translation>Error de la distancia focal (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Share of the picture that the DEM explains as ground</source>
+        <translation>Parte de la imagen que el MDE explica como terreno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.9 or more (m²)</source>
+        <translation>Terreno mostrado con probabilidad de 0,9 o más (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.5 or more (m²)</source>
+        <translation>Terreno mostrado con probabilidad de 0,5 o más (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>ángulo de elevación</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>altura sobre la línea de visión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>columna en la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>fila en la foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
+        <translation>Sin capas ni probabilidades: el área tiene más de {count} millones de celdas. Elija una distancia máxima menor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
+        <translation>Sin probabilidades: necesitan el área encuadre de la foto, con cabeceo y campo de visión vertical.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>probabilidad de que la foto muestre la celda</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Terreno visible más lejano</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>No se pudo formar el polígono de {name}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Terreno visible (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Terreno visible más lejano (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Altura del objetivo sobre el terreno (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Altura de lo que se mira; 0 pregunta por el propio suelo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>El terreno más cercano no se da por visto, pero oculta lo que hay detrás.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>La distancia mínima debe ser menor que la distancia máxima.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>rumbo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>ángulo de visión horizontal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Sin cuenca visual: {value} desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Sin cuenca visual: un ángulo de visión debe estar entre 0 y 180 grados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Se desconoce el cabeceo o el ángulo de visión vertical: se muestra el sector de visión, no el encuadre de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2870,12 +3289,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
-        <source>Up is positive. NULL: 0.</source>
-        <translation>Positivo hacia arriba. NULL: 0.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>NULL: 65 degrees.</source>
         <translation>NULL: 65 grados.</translation>
     </message>
@@ -2883,12 +3296,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Clouds</source>
         <translation>Nubes</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>none</source>
-        <translation>ninguno</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3016,418 +3423,6 @@
         <translation>En pasos de 8 bits en gris medio.</translation>
     </message>
     <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Extent of the sky view raster</source>
-        <translation>Extensión del ráster de visión del cielo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation>Factor de visión del cielo de cada celda del MDE en la extensión, con su pendiente (1 = cielo abierto).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation>Vacío: todo el MDE. Un millón de celdas tarda unos diez segundos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Search range of the sky view raster (m)</source>
-        <translation>Alcance de búsqueda del ráster de visión del cielo (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>El terreno más lejano no se examina; las montañas distantes ocupan poco cielo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Factor de visión del cielo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>La extensión del ráster de visión del cielo no toca el MDE. Elija otra.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>El alcance de búsqueda del ráster de visión del cielo puede ser de {most} m como máximo con un MDE de {cell} m.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>sky view factor</source>
-        <translation>factor de visión del cielo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Skylines of the photographs</source>
-        <translation>Líneas de horizonte de las fotos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Tabla de Extraer la línea del horizonte (photo, column, row, confidence). El terreno que aparecería por encima de la línea del horizonte de su foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Las columnas con una confianza inferior a 0,5 no limitan nada. Necesita el área encuadre de la foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Foreground hides ground</source>
-        <translation>El primer plano oculta terreno</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>El terreno que aparecería por encima de la línea del horizonte de la propia foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Necesita el área encuadre de la foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Tolerance above the skyline (°)</source>
-        <translation>Tolerancia sobre la línea del horizonte (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>Hasta esta altura sobre la línea del horizonte el terreno aún se da por visto: errores del MDE y de la orientación.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation>La tabla de líneas del horizonte no tiene el campo {field}. Elija la tabla que escribió Extraer la línea del horizonte.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>La tabla de líneas del horizonte no conoce esta foto: no se recorta nada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits</source>
-        <translation>Cimas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Puntos con nombres y altitudes. Vacío: las cimas se buscan en el MDE por su prominencia.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits without a name are left out.</source>
-        <translation>Las cimas sin nombre se dejan fuera.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Campo con las altitudes (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>También se lee texto como 4478.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Least prominence (m)</source>
-        <translation>Prominencia mínima (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>De las cimas halladas en el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Search radius around a published summit (m)</source>
-        <translation>Radio de búsqueda alrededor de una cima publicada (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0: tomar el lugar tal como se publicó.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
-        <translation>La capa de cimas no tiene el campo {field}. Elija el campo con los nombres.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewer.py"/>
-        <source>Cancelled after {done} of {count} viewsheds.</source>
-        <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Solo se usa donde falta la propia fotografía.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Absoluta, en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the heading (°)</source>
-        <translation>Incertidumbre del rumbo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Desviación típica, donde los puntos no llevan heading_lo y heading_hi.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the pitch (°)</source>
-        <translation>Incertidumbre del cabeceo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Desviación típica.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the roll (°)</source>
-        <translation>Incertidumbre del alabeo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the focal length (%)</source>
-        <translation>Incertidumbre de la distancia focal (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the position (m)</source>
-        <translation>Incertidumbre de la posición (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Desviación típica del lugar de la cámara, al este y al norte cada una; la sustituye un campo h_acc.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the camera's elevation (m)</source>
-        <translation>Incertidumbre de la altitud de la cámara (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Vertical error of the DEM (m)</source>
-        <translation>Error vertical del MDE (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>Se desconoce el tamaño de la imagen: sus píxeles se toman como los de una imagen de 4000 px de ancho.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>La foto no tiene rumbo; oriéntela primero.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>La foto no tiene un ángulo de visión horizontal entre 0 y 180 grados; oriéntela primero.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Smallest area (m²)</source>
-        <translation>Superficie mínima (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Las partes menores de un polígono se omiten y los huecos menores se rellenan. 0 conserva todo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for layers per photo</source>
-        <translation>Carpeta para capas por foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Un GeoTIFF de coma flotante por foto con bandas con nombre: distancia (m), ángulo de elevación (°), altura sobre la línea de visión (m; negativa: tanto más alto debe ser un objetivo para verse) y, si se conoce la orientación, columna y fila en la imagen (px). Sin datos fuera del área y del alcance.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for probabilities per photo</source>
-        <translation>Carpeta para probabilidades por foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Un GeoTIFF por foto: probabilidad de que la imagen muestre una celda (0 a 1), dados los errores de abajo y el intervalo del rumbo. Necesita el área encuadre de la foto; tarda unas cinco veces más.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of positions (m)</source>
-        <translation>Error de las posiciones (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation along each axis, for probabilities.</source>
-        <translation>Desviación típica en cada eje, para las probabilidades.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the DEM (m)</source>
-        <translation>Error del MDE (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Desviación típica de la altura de una celda sobre lo que tiene delante, para las probabilidades.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the pitch (°)</source>
-        <translation>Error del cabeceo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Desviación típica, para las probabilidades.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the roll (°)</source>
-        <translation>Error del alabeo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Desviación típica, para las probabilidades. Desplaza lo que queda lejos del centro de la imagen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the focal length (%)</source>
-        <translation>Error de la distancia focal (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Share of the picture that the DEM explains as ground</source>
-        <translation>Parte de la imagen que el MDE explica como terreno</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation>Terreno mostrado con probabilidad de 0,9 o más (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation>Terreno mostrado con probabilidad de 0,5 o más (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>distance</source>
-        <translation>distancia</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>elevation angle</source>
-        <translation>ángulo de elevación</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>height above the line of sight</source>
-        <translation>altura sobre la línea de visión</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>column in the photograph</source>
-        <translation>columna en la foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>row in the photograph</source>
-        <translation>fila en la foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation>Sin capas ni probabilidades: el área tiene más de {count} millones de celdas. Elija una distancia máxima menor.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation>Sin probabilidades: necesitan el área encuadre de la foto, con cabeceo y campo de visión vertical.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>probability that the photograph shows the cell</source>
-        <translation>probabilidad de que la foto muestre la celda</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view</source>
-        <translation>Terreno visible más lejano</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>The polygon of {name} could not be built.</source>
-        <translation>No se pudo formar el polígono de {name}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view (m²)</source>
-        <translation>Terreno visible (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view (m)</source>
-        <translation>Terreno visible más lejano (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Target height above ground (m)</source>
-        <translation>Altura del objetivo sobre el terreno (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Altura de lo que se mira; 0 pregunta por el propio suelo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>El terreno más cercano no se da por visto, pero oculta lo que hay detrás.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>The minimum distance must be smaller than the maximum distance.</source>
-        <translation>La distancia mínima debe ser menor que la distancia máxima.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <location filename="../core/figures_panels.py"/>
-        <source>heading</source>
-        <translation>rumbo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>ángulo de visión horizontal</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Sin cuenca visual: {value} desconocido.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
-        <translation>Sin cuenca visual: un ángulo de visión debe estar entre 0 y 180 grados.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
-        <translation>Se desconoce el cabeceo o el ángulo de visión vertical: se muestra el sector de visión, no el encuadre de la foto.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>¿Qué fotos muestran estos lugares?</translation>
@@ -3509,7 +3504,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place</source>
         <translation>Lugar</translation>
     </message>
@@ -3564,687 +3559,687 @@
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
     </message>
     <message>
-        <location filename="../core/annotate.py"/>
+        <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>fotografía rotulada</translation>
     </message>
     <message>
-        <location filename="../core/draw_text.py"/>
-        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
-        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>extracted skyline</source>
-        <translation>línea del horizonte extraída</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <source>DEM horizon at {heading}</source>
-        <translation>horizonte del MDE a {heading}</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>vista</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>viewshed</source>
         <translation>cuenca visual</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>photograph</source>
         <translation>fotografía</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/overlay.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>extracted skyline</source>
+        <translation>línea del horizonte extraída</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>horizonte del MDE a {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/profile.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>El MDE no tiene horizonte aquí.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon of the DEM over all azimuths</source>
         <translation>Horizonte del MDE en todos los acimuts</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Image skyline against DEM horizon</source>
         <translation>Línea del horizonte de la imagen frente al horizonte del MDE</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>No column of the picture was compared with the DEM.</source>
         <translation>Ninguna columna de la imagen se comparó con el MDE.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Skyline above DEM [px]</source>
         <translation>Línea sobre el MDE [px]</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>left</source>
         <translation>izquierda</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>right</source>
         <translation>derecha</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Residuals along the columns: {words}.</source>
         <translation>Residuos a lo largo de las columnas: {words}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>no column compared</source>
         <translation>ninguna columna comparada</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>median {value}</source>
         <translation>mediana {value}</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of the height</source>
         <translation>{share} % de la altura</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of columns</source>
         <translation>{share} % de las columnas</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Elevation angle</source>
         <translation>Ángulo de elevación</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Distance</source>
         <translation>Distancia</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>cut by the DEM's edge</source>
         <translation>cortado por el borde del MDE</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>void</source>
         <translation>vacío</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
         <translation>El horizonte es más alto en el acimut {azimuth} con {angle} grados, a {distance}; su mediana es de {median} grados. En el {share} % de las direcciones el MDE termina demasiado pronto.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Puntuación en todos los rumbos</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was scored.</source>
         <translation>No se evaluó ningún rumbo.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>compass</source>
         <translation>brújula</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>{score} over all headings</source>
         <translation>{score} en todos los rumbos</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Puntuación por dirección, norte arriba</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was found.</source>
         <translation>No se encontró ningún rumbo.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The best heading is {heading} from true north.</source>
         <translation>El mejor rumbo es {heading} desde el norte geográfico.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Alternatives are at {headings}.</source>
         <translation>Las alternativas están a {headings}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The compass recorded {heading}.</source>
         <translation>La brújula registró {heading}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/figures/stations.py"/>
         <source>{count} photographs within {extent} kilometres.</source>
         <translation>{count} fotografías en {extent} kilómetros.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
-        <location filename="../core/report.py"/>
+        <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/report.py"/>
         <source>Where the photographs stand and look</source>
         <translation>Dónde están las fotografías y hacia dónde miran</translation>
     </message>
     <message>
-        <location filename="../core/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} fotografías tienen aquí números pero no figuras, para que la página siga siendo manejable: un informe dibuja enteras las primeras {most} ({accepted} aceptadas). Procéselas en grupos más pequeños para verlas todas.</translation>
+        <location filename="../core/figures/text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>best guess</source>
         <translation>mejor conjetura</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>likeliest of several</source>
         <translation>el más probable de varios</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Pitch</source>
         <translation>Cabeceo</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Roll</source>
         <translation>Alabeo</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>HFOV</source>
         <translation>Ángulo hor.</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Compass − found</source>
         <translation>Brújula − hallado</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye elevation</source>
         <translation>Elevación del ojo</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC</source>
         <translation>NCC</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>probability</source>
         <translation>probabilidad</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} dentro de 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Alternatives</source>
         <translation>Alternativas</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>picture with extracted skyline and DEM horizons</source>
         <translation>imagen con la línea del horizonte extraída y los horizontes del MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>extracted</source>
         <translation>extraída</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>DEM at {heading}</source>
         <translation>MDE a {heading}</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>alternatives</source>
         <translation>alternativas</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score</source>
         <translation>Puntuación</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Where it looks, and the ground it shows</source>
         <translation>Hacia dónde mira y el terreno que muestra</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers, and the DEM's horizon</source>
         <translation>Todos los números y el horizonte del MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Todos los números</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>accepted</source>
         <translation>aceptada</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ambiguous</source>
         <translation>ambigua</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>rejected</source>
         <translation>rechazada</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>fallida</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Further</source>
         <translation>Otros</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Match</source>
         <translation>Ajuste</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Lens</source>
         <translation>Objetivo</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Compass</source>
         <translation>Brújula</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Place and eye</source>
         <translation>Lugar y ojo</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM horizon</source>
         <translation>Horizonte del MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Archivo</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>{low} to {high}</source>
         <translation>{low} a {high}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Heading, true</source>
         <translation>Rumbo, geográfico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>90 % interval</source>
         <translation>Intervalo del 90 %</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pitch, + up</source>
         <translation>Cabeceo, + hacia arriba</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Roll, + right side down</source>
         <translation>Alabeo, + lado derecho abajo</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Alternative {rank}</source>
         <translation>Alternativa {rank}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Within 3° of the truth</source>
         <translation>A menos de 3° de la verdad</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score of alternative 2</source>
         <translation>Puntuación de la alternativa 2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC of the second peak</source>
         <translation>NCC del segundo pico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Sharpness of the peak</source>
         <translation>Nitidez del pico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Residual, median</source>
         <translation>Residuo, mediana</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Columns compared</source>
         <translation>Columnas comparadas</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Horizontal field of view</source>
         <translation>Ángulo de visión horizontal</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Vertical field of view</source>
         <translation>Ángulo de visión vertical</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Focal length</source>
         <translation>Distancia focal</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, used</source>
         <translation>Equivalente de 35 mm, usado</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, EXIF</source>
         <translation>Equivalente de 35 mm, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distortion k1, k2</source>
         <translation>Distorsión k1, k2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from true north</source>
         <translation>desde el norte geográfico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from magnetic north</source>
         <translation>desde el norte magnético</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>reference unknown</source>
         <translation>referencia desconocida</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded</source>
         <translation>Registrado</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Turned to true north</source>
         <translation>Girado al norte geográfico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Registrado menos hallado</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Latitude</source>
         <translation>Latitud</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Longitude</source>
         <translation>Longitud</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Error de posición, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye elevation, used</source>
         <translation>Elevación del ojo, usada</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM under the eye</source>
         <translation>MDE bajo el ojo</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye above the DEM</source>
         <translation>Ojo sobre el MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Altitude, EXIF</source>
         <translation>Altitud, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>sea level</source>
         <translation>nivel del mar</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>below sea level</source>
         <translation>bajo el nivel del mar</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ellipsoid</source>
         <translation>elipsoide</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, median</source>
         <translation>Distancia a la vista, mediana</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, farthest</source>
         <translation>Distancia a la vista, máxima</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Cut by the DEM's edge in view</source>
         <translation>Cortado a la vista por el borde del MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cell</source>
         <translation>Celda</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Grid north from true north</source>
         <translation>Norte de cuadrícula desde el norte geográfico</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Path</source>
         <translation>Ruta</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Size, upright</source>
         <translation>Tamaño, derecho</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Taken, camera's time</source>
         <translation>Tomada, hora de la cámara</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place and horizon</source>
         <translation>Lugar y horizonte</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye and DEM</source>
         <translation>Ojo y MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>1 place</source>
         <translation>1 lugar</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>{count} places</source>
         <translation>{count} lugares</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Highest horizon</source>
         <translation>Horizonte más alto</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>at azimuth</source>
         <translation>en el acimut</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Mean horizon</source>
         <translation>Horizonte medio</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Median distance</source>
         <translation>Distancia mediana</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Farthest</source>
         <translation>Más lejano</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cut by DEM edge</source>
         <translation>Cortado por el borde del MDE</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Vacío</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Heading</source>
         <translation>Rumbo</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>90 %</source>
         <translation>90 %</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Within 3°</source>
         <translation>Dentro de 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Second</source>
         <translation>Segundo</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Residual</source>
         <translation>Residuo</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>all</source>
         <translation>todas</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>evidence</source>
         <translation>indicios</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>DEM horizon, answer</source>
         <translation>horizonte del MDE, respuesta</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>whole picture</source>
         <translation>imagen entera</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>código de idioma: es</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Made by {software}.</source>
         <translation>Hecho por {software}.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Esta página está completa en sí misma y no carga nada de una red. Teclas: j foto siguiente, k anterior.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Run</source>
         <translation>Ejecución</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Parameters, DEM and software</source>
         <translation>Parámetros, MDE y programa</translation>
+    </message>
+    <message>
+        <location filename="../core/report/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} fotografías tienen aquí números pero no figuras, para que la página siga siendo manejable: un informe dibuja enteras las primeras {most} ({accepted} aceptadas). Procéselas en grupos más pequeños para verlas todas.</translation>
     </message>
 </context>
 </TS>

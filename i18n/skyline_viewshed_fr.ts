@@ -19,13 +19,13 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Modèle numérique de terrain (MNT)</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Maximum distance (m)</source>
         <translation>Distance maximale (m)</translation>
@@ -45,8 +45,8 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/orientation.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Oriented photos</source>
         <translation>Photos orientées</translation>
     </message>
@@ -54,7 +54,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Viewshed</source>
         <translation>Bassin visuel</translation>
     </message>
@@ -62,7 +62,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view</source>
         <translation>Terrain visible</translation>
     </message>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/parameters.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Report</source>
         <translation>Rapport</translation>
     </message>
@@ -195,488 +195,6 @@
         <translation>{name} ne peut pas être écrit : {folder} n'est pas un dossier où vous pouvez écrire.</translation>
     </message>
     <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>position GPS</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>focale (équivalente 35 mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Donnez-la par la géométrie d'une couche de points de photos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Donnez ses angles de champ dans HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>La photo {a} ne peut pas être lue : {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>Il manque à la photo : {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>Aucune limite entre ciel et terrain n'a été trouvée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Utilisez une photo qui montre une ligne d'horizon de montagnes, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>La position {a}, {b} (latitude, longitude) se trouve hors du MNT. Utilisez un MNT qui la couvre, ou corrigez les coordonnées de la photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>Le MNT n'a pas d'altitude (nodata) en {a}, {b} (latitude, longitude). Comblez la lacune, utilisez un autre MNT, ou donnez l'altitude de l'appareil dans HEIGHT_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>Les entités de l'image {a} ne peuvent pas être lues : {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>Le système de coordonnées de référence {a} n'est pas compris. Attribuez-en un valide.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>Aucune transformation n'est connue de {a} vers {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>il ne peut pas être ouvert ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>la ligne {a} n'a pas de nombres pour x et y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>la ligne {a} est incomplète ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>une entrée est incomplète ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>il n'a pas de pixels. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>ses {a} x {b} pixels dépassent {c} mégapixels. Réduisez d'abord l'image.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>il finit trop tôt ou son répertoire est endommagé. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>ce fichier n'existe pas. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Les coordonnées enregistrées sont 0, 0 (pas de signal GPS) et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>L'hémisphère n'est pas enregistré ; là où il manque, nord et est ont été supposés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {a} mm a été utilisé au lieu de {b} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>Le contenu du dossier {a} ne peut pas être lu : {b}. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>Le MNT {a} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>Le MNT {a} a {b} bande(s), et pas de bande {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>La bande {a} de {b} contient des nombres complexes, pas des altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Le MNT {a} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>Le MNT {a} n'est pas géoréférencé. Projetez-le d'abord dans un SCR (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Le MNT {a} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>Le MNT {a} n'existe pas. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>Le MNT {a} ne peut pas être situé. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>Le MNT {a} est endommagé ({b}). Copiez-le à nouveau.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>La bande {a} du MNT {b} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Le fichier {a} ne peut pas être écrit : {b}. Choisissez un autre dossier ou libérez de l'espace.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>rien n'a été écrit</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>La photo {a} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>La photo {a} ne peut pas être écrite : {b}. Choisissez un autre dossier ou libérez de la place.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>Le point de repère {a} est atteint à {b} près.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} pixels</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} degrés</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>above</source>
-        <translation>au-dessus</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>below</source>
-        <translation>au-dessous</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>Dans {a} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Une ligne d'horizon n'a été trouvée que dans {a} % des colonnes. Utilisez une photo qui en montre davantage, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>L'horizon convient sur {a} % des colonnes, et aucun autre cap ne s'en approche.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} exige le paquet Python {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>No view of a ridge was found in {a} places. Use a DEM with more relief.</source>
-        <translation>Aucune vue d'une crête n'a été trouvée en {a} lieux. Utilisez un MNT avec plus de relief.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>L'image n'a que {a} x {b} pixels.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>L'image n'a qu'une couleur.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>La ligne d'horizon dessinée a moins de deux points.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Photo point</source>
-        <translation>Point de photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/measure_offsets.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Photo</source>
-        <translation>Photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells of the area that it sees</source>
-        <translation>Cellules de la zone qu'elle montre</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area that it sees</source>
-        <translation>Part de la zone qu'elle montre</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Place among the fewest photos needed; NULL: not needed</source>
-        <translation>Rang parmi les photos nécessaires les moins nombreuses ; NULL : pas nécessaire</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Cells that it adds to those picked before</source>
-        <translation>Cellules qu'elle ajoute à celles choisies avant elle</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>Share of the area seen by the picks up to here</source>
-        <translation>Part de la zone montrée par les choix jusqu'ici</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>photographs that see the cell</source>
-        <translation>photos qui voient la cellule</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Nombre de photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <source>metres per pixel across the view, best photo</source>
-        <translation>mètres par pixel en travers de la vue, meilleure photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/coverage_outputs.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Best ground sampling distance</source>
-        <translation>Meilleure résolution au sol</translation>
-    </message>
-    <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <source>Directed viewshed</source>
         <translation>Bassin visuel dirigé</translation>
@@ -714,21 +232,21 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Oriented photo points</source>
         <translation>Points de photos orientées</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>From Orient photos, or any points with heading, pitch, roll and field of view.</source>
         <translation>Issus de « Orienter des photos », ou tout point avec azimut de visée, tangage, roulis et angle de champ.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the camera's elevation (m)</source>
         <translation>Champ de l'altitude de l'appareil (m)</translation>
     </message>
@@ -763,36 +281,36 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the heading (°)</source>
         <translation>Champ de l'azimut de visée (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>True, clockwise from north.</source>
         <translation>Géographique, dans le sens horaire depuis le nord.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the horizontal field of view (°)</source>
         <translation>Champ de l'angle de champ horizontal (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Of the upright picture.</source>
         <translation>De l'image redressée.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the pitch (°)</source>
         <translation>Champ du tangage (°)</translation>
     </message>
@@ -803,21 +321,21 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Field with the roll (°)</source>
         <translation>Champ du roulis (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
         <source>Right side down is positive. NULL: 0.</source>
         <translation>Positif si le côté droit est plus bas. NULL : 0.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Field with the vertical field of view (°)</source>
         <translation>Champ de l'angle de champ vertical (°)</translation>
     </message>
@@ -878,7 +396,7 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <location filename="../algorithms/visibility.py"/>
+        <location filename="../algorithms/shared/visibility.py"/>
         <source>Minimum distance (m)</source>
         <translation>Distance minimale (m)</translation>
     </message>
@@ -921,51 +439,6 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>Le point ne désigne aucune photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
-        <translation>Aucune photo ne montre de terrain de ce MNT : il n'y a rien à draper.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>red</source>
-        <translation>rouge</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>green</source>
-        <translation>vert</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>blue</source>
-        <translation>bleu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>opacity</source>
-        <translation>opacité</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel across the view</source>
-        <translation>mètres par pixel en travers de la vue</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/draped_raster.py"/>
-        <source>metres per pixel along the view</source>
-        <translation>mètres par pixel le long de la vue</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
-        <translation>Le modèle numérique de terrain ne peut pas être lu. Choisissez un fichier raster contenant des altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/elevation.py"/>
-        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
-        <translation>Le modèle numérique de terrain vient d'une source {provider}. Enregistrez-le d'abord en GeoTIFF et choisissez celui-ci.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1024,9 +497,23 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/orientation.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/extract_skyline.py"/>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/measure_offsets.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Photo</source>
+        <translation>Photo</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1042,117 +529,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Confidence (0 to 1)</source>
         <translation>Confiance (0 à 1)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/feedback.py"/>
-        <source>{name} ({number}/{count})</source>
-        <translation>{name} ({number}/{count})</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Folder</source>
-        <translation>Dossier</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>Altitude GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Azimut enregistré (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Rotation selon EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Longitude (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Latitude (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Prise de vue (heure locale de l'appareil)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Focale équivalente 35 mm (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Angle de champ horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Angle de champ vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Largeur de l'image redressée (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Hauteur de l'image redressée (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Référence de l'azimut enregistré (T nord géographique, M nord magnétique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Erreur horizontale du GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <location filename="../core/report_facts.py"/>
-        <source>Camera</source>
-        <translation>Appareil photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/fields.py"/>
-        <source>Reason</source>
-        <translation>Raison</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose a folder of photographs or a layer of photo points.</source>
-        <translation>Choisissez un dossier de photos ou une couche de points de photos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
-        <translation>Choisissez soit un dossier de photos, soit une couche de points de photos, pas les deux.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/folder_photos.py"/>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>The folder {folder} does not exist.</source>
-        <translation>Le dossier {folder} n'existe pas.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -1209,7 +585,7 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon</source>
         <translation>Horizon</translation>
     </message>
@@ -1226,23 +602,23 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/views.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
         <source>The point has no usable position.</source>
         <translation>Le point n'a pas de position utilisable.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Point d'origine</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/image_features.py"/>
         <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Azimuth (° from true north)</source>
         <translation>Azimut (° depuis le nord géographique)</translation>
     </message>
@@ -1265,86 +641,6 @@
         <location filename="../algorithms/horizon_profile.py"/>
         <source>Sky view factor of the source point</source>
         <translation>Facteur de vue du ciel du point d'origine</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Map feature</source>
-        <translation>Entité de la carte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>visible, hidden, outside the frame, unknown</source>
-        <translation>visible (visible), hidden (caché), outside (hors du cadre), unknown (inconnu)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Column (px)</source>
-        <translation>Colonne (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Row (px)</source>
-        <translation>Ligne (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance from the camera (m)</source>
-        <translation>Distance à l'appareil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/label_peaks.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation angle (°)</source>
-        <translation>Hauteur angulaire (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Elevation (m)</source>
-        <translation>Altitude (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Line or ring of the feature</source>
-        <translation>Ligne ou anneau de l'entité</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Begins at this share of its length</source>
-        <translation>Commence à cette part de sa longueur</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Ends at this share of its length</source>
-        <translation>Finit à cette part de sa longueur</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Nearest distance (m)</source>
-        <translation>Plus petite distance (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Farthest distance (m)</source>
-        <translation>Plus grande distance (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>Share of the whole feature that is visible</source>
-        <translation>Part visible de l'entité entière</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Les entités de la carte sont vides, ou se trouvent hors d'atteinte du SCR du MNT.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1393,6 +689,16 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/import_photos.py"/>
         <source>Number of rejected photos</source>
         <translation>Nombre de photos rejetées</translation>
     </message>
@@ -1400,23 +706,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>The photo has no GPS position.</source>
         <translation>La photo n'a pas de position GPS.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Un fichier par photo (environ 2 Mo), pour cette extension seule. Une exécution répétée y reprend ce qui n'a pas changé depuis (photo, MNT, réglages, version de l'extension), si bien qu'une exécution interrompue continue là où elle en était.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Dossier qui conserve les orientations</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/kept_orientations.py"/>
-        <location filename="../algorithms/viewer.py"/>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>{name}: taken from {path}</source>
-        <translation>{name} : repris de {path}</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -1505,159 +794,30 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Column (px)</source>
+        <translation>Colonne (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Row (px)</source>
+        <translation>Ligne (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/label_peaks.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Distance (m)</source>
         <translation>Distance (m)</translation>
     </message>
     <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
-        <translation>La couche de points n'a pas d'entité. Choisissez-en une autre ou videz la sélection.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>Point {id}</source>
-        <translation>Point {id}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field} ({name}). Choose another.</source>
-        <translation>La couche n'a pas de champ {field} ({name}). Choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/layers.py"/>
-        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
-        <translation>La couche n'a pas de champ {field}. Choisissez le champ qui contient les chemins des photos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>visible</source>
-        <translation>visible</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden</source>
-        <translation>caché</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>outside the picture</source>
-        <translation>hors de l'image</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>unknown</source>
-        <translation>inconnu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>accepted: trust it</source>
-        <translation>acceptée : fiable</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>ambiguous: look at the report</source>
-        <translation>ambiguë : voir le rapport</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>rejected: no answer</source>
-        <translation>rejetée : pas de réponse</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>failed: input at fault</source>
-        <translation>en échec : entrée en cause</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>not seen</source>
-        <translation>non vu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 photo</source>
-        <translation>1 photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>2 photos</source>
-        <translation>2 photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>3 photos</source>
-        <translation>3 photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>4 to 5 photos</source>
-        <translation>4 à 5 photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>6 to 10 photos</source>
-        <translation>6 à 10 photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>more than 10 photos</source>
-        <translation>plus de 10 photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen</source>
-        <translation>vu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 200 m or more too low</source>
-        <translation>caché, 200 m ou plus trop bas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 50 m too low</source>
-        <translation>caché, 50 m trop bas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>hidden, 10 m too low</source>
-        <translation>caché, 10 m trop bas</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just hidden</source>
-        <translation>tout juste caché</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>just seen</source>
-        <translation>tout juste vu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 10 m to spare</source>
-        <translation>vu, 10 m de marge</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>seen, 100 m or more to spare</source>
-        <translation>vu, 100 m de marge ou plus</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/legends.py"/>
-        <source>1 (open sky)</source>
-        <translation>1 (ciel dégagé)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/map_places.py"/>
-        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
-        <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+        <location filename="../algorithms/label_peaks.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation angle (°)</source>
+        <translation>Hauteur angulaire (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1696,7 +856,7 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <location filename="../algorithms/summit_input.py"/>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Field with names</source>
         <translation>Champ des noms</translation>
@@ -1889,107 +1049,6 @@
         <translation>Écart moyen signé en hauteur (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Label</source>
-        <translation>Étiquette</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Ce que montre le pixel : ground (sol), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Angle of incidence (°, 0 head-on)</source>
-        <translation>Angle d'incidence (°, 0 de face)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Ground per pixel across the view (m)</source>
-        <translation>Sol par pixel en travers de la vue (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, major half axis (m)</source>
-        <translation>Ellipse d'erreur, demi-grand axe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Error ellipse, minor half axis (m)</source>
-        <translation>Ellipse d'erreur, demi-petit axe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Direction of the major axis (° from true north)</source>
-        <translation>Direction du grand axe (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Standard deviation of the elevation (m)</source>
-        <translation>Écart type de l'altitude (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that the pixel shows other ground, beyond an edge</source>
-        <translation>Probabilité que le pixel montre un autre terrain, au-delà d'une arête</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 5 % quantile (m)</source>
-        <translation>Distance, quantile 5 % (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Distance, 95 % quantile (m)</source>
-        <translation>Distance, quantile 95 % (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Ce qu'il montre : ground (sol), partly ground (sol en partie), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Share of its outline that lies on known ground</source>
-        <translation>Part de son contour située sur un terrain connu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Pieces, cut where the ground behind jumps</source>
-        <translation>Morceaux, coupés là où le terrain saute à l'arrière</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Median of the error ellipses' major half axis (m)</source>
-        <translation>Médiane des demi-grands axes des ellipses d'erreur (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Largest of the error ellipses' major half axis (m)</source>
-        <translation>Plus grand demi-grand axe des ellipses d'erreur (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Mean probability that it shows other ground, beyond an edge</source>
-        <translation>Probabilité moyenne qu'il montre un autre terrain, au-delà d'une arête</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Probabilité qu'elle contienne la vraie position</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
-        <translation>La taille de l'image est inconnue : ses pixels ne peuvent pas être situés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Pas de point de photo orientée pour : {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Orienter des photos</translation>
@@ -2024,168 +1083,6 @@
         <location filename="../algorithms/photo_viewshed.py"/>
         <source>Number of accepted photos</source>
         <translation>Nombre de photos acceptées</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>De l'image redressée, en travers de son milieu. NULL : d'après la focale du fichier.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Camera at the recorded altitude</source>
-        <translation>Appareil à l'altitude enregistrée</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Pour les tours, les téléphériques et les drones : l'œil se trouve à l'altitude du fichier, si elle se compte depuis la mer, et non sur le MNT. L'altitude d'un téléphone est souvent fausse de 10 à 50 m. Une altitude de l'appareil dans un champ l'emporte.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Un point par photo : tous les champs de la source, puis azimut, tangage, roulis, angle de champ, leur fiabilité, statut et message.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Un point sans photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Annulé après {done} photos sur {count}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Une erreur imprévue du programme a arrêté cette photo. Signalez-la, s'il vous plaît, avec les détails du journal.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/orientation.py"/>
-        <source>{count} photos: {parts}.</source>
-        <translation>{count} photos : {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Azimut de visée (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Tangage (°, + vers le haut)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Roulis (°, + côté droit plus bas)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Corrélation des lignes d'horizon</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Corrélation du deuxième meilleur azimut</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Deuxième meilleur azimut (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Troisième meilleur azimut (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Netteté du pic de corrélation</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Azimut de visée, borne inférieure de l'intervalle à 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Azimut de visée, borne supérieure de l'intervalle à 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>Status</source>
-        <translation>Statut</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Message</source>
-        <translation>Message</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Azimut enregistré (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Azimut enregistré moins azimut trouvé (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Convergence des méridiens du MNT (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitude de l'appareil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Appareil au-dessus du MNT (m), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Portée de recherche (m), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Bord gauche de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/outputs.py"/>
-        <source>{name} could not be written.</source>
-        <translation>{name} n'a pas pu être écrit.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -2303,157 +1200,6 @@
         <translation>Plus grande hauteur angulaire (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/panorama_files.py"/>
-        <source>panorama</source>
-        <translation>panorama</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo points</source>
-        <translation>Points de photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Un point par photo, dans tout système de coordonnées, par exemple issu de « Importer des photos géolocalisées ». Le point est la position de l'appareil ; un point sans géométrie prend la position inscrite dans la photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Field with the photo's path</source>
-        <translation>Champ du chemin de la photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
-        <translation>Chemin complet de la photo ; un chemin relatif part du dossier de la couche ou du projet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre aussi loin que les montagnes visibles.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>DEM band</source>
-        <translation>Bande du MNT</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Band that holds the heights.</source>
-        <translation>Bande qui contient les altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>À quelle distance peuvent être les montagnes de la ligne d'horizon, en mètres au sol ; la méthode article ne regarde pas au-delà de 15 km.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Method</source>
-        <translation>Méthode</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>robust</source>
-        <translation>robuste</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>paper (as published)</source>
-        <translation>article (telle que publiée)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'accepte ni indication, ni repère, ni ligne dessinée, ni masque.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Azimut de la boussole enregistré</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>ignore</source>
-        <translation>ignorer</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>use as a hint</source>
-        <translation>utiliser comme indice</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorer : la boussole est seulement rapportée. Indication : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte. La méthode article ignore la boussole.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Camera height above ground (m)</source>
-        <translation>Hauteur de l'appareil au-dessus du sol (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Mètres au-dessus du MNT, là où aucune altitude absolue n'est donnée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Mètres au sol depuis l'appareil. Rien n'est examiné au-delà.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Refraction coefficient</source>
-        <translation>Coefficient de réfraction</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Part de la courbure terrestre que l'air compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche de la méthode article, pour qui la terre est plate.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <source>Area</source>
-        <translation>Étendue</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>photo frame</source>
-        <translation>cadre de la photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>heading wedge</source>
-        <translation>secteur de visée</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>full circle</source>
-        <translation>cercle complet</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
-        <translation>Cadre de la photo : terrain dans l'image, avec tangage, roulis et les deux angles de champ. Secteur de visée : tout le terrain dans l'angle de champ horizontal. Cercle complet : tout ce qui se voit depuis le lieu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>HTML files (*.html)</source>
-        <translation>Fichiers HTML (*.html)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Un fichier HTML autonome avec figures, chiffres et conseils pour chaque photo ou point.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>Aucune photo (JPEG, HEIC) dans {folder}. Choisissez un autre dossier, ou incluez les sous-dossiers.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <source>Coverage of a photo collection</source>
         <translation>Couverture d'une collection de photos</translation>
@@ -2480,6 +1226,12 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Area</source>
+        <translation>Étendue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
         <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
         <translation>Seul le terrain à l'intérieur compte. Vide : tout le MNT, pour autant qu'il soit à portée d'une photo.</translation>
     </message>
@@ -2487,6 +1239,12 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
         <translation>Sur la grille du MNT : combien de photos voient chaque cellule ; 0 est un angle mort, nodata est hors de la zone.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Best ground sampling distance</source>
+        <translation>Meilleure résolution au sol</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -2589,51 +1347,6 @@
         <translation>Montre le terrain du meilleur azimut même si un autre est aussi probable.</translation>
     </message>
     <message>
-        <location filename="../algorithms/picture_files.py"/>
-        <source>The point names no photo, so there is no picture to draw on.</source>
-        <translation>Le point ne désigne aucune photo : il n'y a pas d'image sur laquelle dessiner.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features</source>
-        <translation>Entités de l'image</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Points, lignes ou polygones dont les coordonnées sont des pixels de l'image redressée (dessinés dans QGIS sur la photo même, où y est négatif, ou y compté vers le bas), ou une table avec les champs x et y. Un champ photo désigne la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Image features from a labelling tool</source>
-        <translation>Entités de l'image d'un outil d'annotation</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
-        <translation>Fichiers d'annotation (*.json *.geojson *.csv);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
-        <translation>LabelMe, COCO, VIA, GeoJSON en coordonnées pixel, ou CSV avec photo, x, y (et feature, kind, label).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>Give image features: a layer, or a file from a labelling tool.</source>
-        <translation>Donnez des entités de l'image : une couche, ou un fichier d'un outil d'annotation.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features are empty: draw something on a photo first.</source>
-        <translation>Les entités de l'image sont vides : dessinez d'abord quelque chose sur une photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/pixel_input.py"/>
-        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
-        <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Pixels to map (monoplotting)</source>
         <translation>Des pixels à la carte (monoplotting)</translation>
@@ -2724,84 +1437,1790 @@
         <translation>Nombre d'entités qui ne rencontrent aucun terrain</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>GPS position</source>
+        <translation>position GPS</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>focal length (35 mm equivalent)</source>
+        <translation>focale (équivalente 35 mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give it by the geometry of a photo point layer.</source>
+        <translation>Donnez-la par la géométrie d'une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Give its fields of view in HFOV_FIELD.</source>
+        <translation>Donnez ses angles de champ dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be read: {b}</source>
+        <translation>La photo {a} ne peut pas être lue : {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo has no {a}. {b}</source>
+        <translation>Il manque à la photo : {a}. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No boundary between sky and terrain was found.</source>
+        <translation>Aucune limite entre ciel et terrain n'a été trouvée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{a} Utilisez une photo qui montre une ligne d'horizon de montagnes, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La position {a}, {b} (latitude, longitude) se trouve hors du MNT. Utilisez un MNT qui la couvre, ou corrigez les coordonnées de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Le MNT n'a pas d'altitude (nodata) en {a}, {b} (latitude, longitude). Comblez la lacune, utilisez un autre MNT, ou donnez l'altitude de l'appareil dans HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The image features {a} cannot be read: {b}</source>
+        <translation>Les entités de l'image {a} ne peuvent pas être lues : {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
+        <translation>Le système de coordonnées de référence {a} n'est pas compris. Attribuez-en un valide.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No transformation is known from {a} to {b}.</source>
+        <translation>Aucune transformation n'est connue de {a} vers {b}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it cannot be opened ({a}).</source>
+        <translation>il ne peut pas être ouvert ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} has no numbers for x and y.</source>
+        <translation>la ligne {a} n'a pas de nombres pour x et y.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>line {a} is incomplete ({b}).</source>
+        <translation>la ligne {a} est incomplète ({b}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>an entry is incomplete ({a}).</source>
+        <translation>une entrée est incomplète ({a}).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>il n'a pas de pixels. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
+        <translation>ses {a} x {b} pixels dépassent {c} mégapixels. Réduisez d'abord l'image.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>il finit trop tôt ou son répertoire est endommagé. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>ce fichier n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées sont 0, 0 (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>L'hémisphère n'est pas enregistré ; là où il manque, nord et est ont été supposés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {a} mm a été utilisé au lieu de {b} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
+        <translation>Le contenu du dossier {a} ne peut pas être lu : {b}. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Le MNT {a} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
+        <translation>Le MNT {a} a {b} bande(s), et pas de bande {c}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
+        <translation>La bande {a} de {b} contient des nombres complexes, pas des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Le MNT {a} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Le MNT {a} n'est pas géoréférencé. Projetez-le d'abord dans un SCR (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Le MNT {a} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} does not exist. Check the path.</source>
+        <translation>Le MNT {a} n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} cannot be placed. {b}</source>
+        <translation>Le MNT {a} ne peut pas être situé. {b}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
+        <translation>Le MNT {a} est endommagé ({b}). Copiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
+        <translation>La bande {a} du MNT {b} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>Le fichier {a} ne peut pas être écrit : {b}. Choisissez un autre dossier ou libérez de l'espace.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>nothing was written</source>
+        <translation>rien n'a été écrit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
+        <translation>La photo {a} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
+        <translation>La photo {a} ne peut pas être écrite : {b}. Choisissez un autre dossier ou libérez de la place.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Landmark {a} is met to within {b}.</source>
+        <translation>Le point de repère {a} est atteint à {b} près.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} pixels</source>
+        <translation>{a} pixels</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} degrees</source>
+        <translation>{a} degrés</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>above</source>
+        <translation>au-dessus</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>below</source>
+        <translation>au-dessous</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>Dans {a} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Une ligne d'horizon n'a été trouvée que dans {a} % des colonnes. Utilisez une photo qui en montre davantage, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
+        <translation>L'horizon convient sur {a} % des colonnes, et aucun autre cap ne s'en approche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{a} convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>{a} needs the Python package {b}. {c}</source>
+        <translation>{a} exige le paquet Python {b}. {c}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture is only {a} x {b} pixels.</source>
+        <translation>L'image n'a que {a} x {b} pixels.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>L'image n'a qu'une couleur.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La ligne d'horizon dessinée a moins de deux points.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/core_sentences.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Photo point</source>
+        <translation>Point de photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells of the area that it sees</source>
+        <translation>Cellules de la zone qu'elle montre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area that it sees</source>
+        <translation>Part de la zone qu'elle montre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Place among the fewest photos needed; NULL: not needed</source>
+        <translation>Rang parmi les photos nécessaires les moins nombreuses ; NULL : pas nécessaire</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Cells that it adds to those picked before</source>
+        <translation>Cellules qu'elle ajoute à celles choisies avant elle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>Share of the area seen by the picks up to here</source>
+        <translation>Part de la zone montrée par les choix jusqu'ici</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>photographs that see the cell</source>
+        <translation>photos qui voient la cellule</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <source>metres per pixel across the view, best photo</source>
+        <translation>mètres par pixel en travers de la vue, meilleure photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>No photo shows any ground of this DEM, so there is nothing to drape.</source>
+        <translation>Aucune photo ne montre de terrain de ce MNT : il n'y a rien à draper.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>red</source>
+        <translation>rouge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>green</source>
+        <translation>vert</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>blue</source>
+        <translation>bleu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>opacity</source>
+        <translation>opacité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel across the view</source>
+        <translation>mètres par pixel en travers de la vue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/draped_raster.py"/>
+        <source>metres per pixel along the view</source>
+        <translation>mètres par pixel le long de la vue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model cannot be read. Choose a raster file with heights.</source>
+        <translation>Le modèle numérique de terrain ne peut pas être lu. Choisissez un fichier raster contenant des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/elevation.py"/>
+        <source>The elevation model comes from a {provider} source. Save it as a GeoTIFF first and choose that.</source>
+        <translation>Le modèle numérique de terrain vient d'une source {provider}. Enregistrez-le d'abord en GeoTIFF et choisissez celui-ci.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/feedback.py"/>
+        <source>{name} ({number}/{count})</source>
+        <translation>{name} ({number}/{count})</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitude GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Azimut enregistré (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotation selon EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Prise de vue (heure locale de l'appareil)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Focale équivalente 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Angle de champ horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Angle de champ vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Largeur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Hauteur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Référence de l'azimut enregistré (T nord géographique, M nord magnétique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Erreur horizontale du GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Appareil photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/fields.py"/>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose a folder of photographs or a layer of photo points.</source>
+        <translation>Choisissez un dossier de photos ou une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <source>Choose either a folder of photographs or a layer of photo points, not both.</source>
+        <translation>Choisissez soit un dossier de photos, soit une couche de points de photos, pas les deux.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/folder_photos.py"/>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>The folder {folder} does not exist.</source>
+        <translation>Le dossier {folder} n'existe pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Map feature</source>
+        <translation>Entité de la carte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>visible, hidden, outside the frame, unknown</source>
+        <translation>visible (visible), hidden (caché), outside (hors du cadre), unknown (inconnu)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance from the camera (m)</source>
+        <translation>Distance à l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Elevation (m)</source>
+        <translation>Altitude (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Line or ring of the feature</source>
+        <translation>Ligne ou anneau de l'entité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Begins at this share of its length</source>
+        <translation>Commence à cette part de sa longueur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Ends at this share of its length</source>
+        <translation>Finit à cette part de sa longueur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Nearest distance (m)</source>
+        <translation>Plus petite distance (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Farthest distance (m)</source>
+        <translation>Plus grande distance (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>Share of the whole feature that is visible</source>
+        <translation>Part visible de l'entité entière</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/image_features.py"/>
+        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
+        <translation>Les entités de la carte sont vides, ou se trouvent hors d'atteinte du SCR du MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
+        <translation>Un fichier par photo (environ 2 Mo), pour cette extension seule. Une exécution répétée y reprend ce qui n'a pas changé depuis (photo, MNT, réglages, version de l'extension), si bien qu'une exécution interrompue continue là où elle en était.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <source>Folder that keeps orientations</source>
+        <translation>Dossier qui conserve les orientations</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/kept_orientations.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>{name}: taken from {path}</source>
+        <translation>{name} : repris de {path}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer of points has no feature. Choose another, or clear the selection.</source>
+        <translation>La couche de points n'a pas d'entité. Choisissez-en une autre ou videz la sélection.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>Point {id}</source>
+        <translation>Point {id}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field} ({name}). Choose another.</source>
+        <translation>La couche n'a pas de champ {field} ({name}). Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The layer has no field {field}. Choose the field that holds the photographs' paths.</source>
+        <translation>La couche n'a pas de champ {field}. Choisissez le champ qui contient les chemins des photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden</source>
+        <translation>caché</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>outside the picture</source>
+        <translation>hors de l'image</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>accepted: trust it</source>
+        <translation>acceptée : fiable</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>ambiguous: look at the report</source>
+        <translation>ambiguë : voir le rapport</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>rejected: no answer</source>
+        <translation>rejetée : pas de réponse</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>failed: input at fault</source>
+        <translation>en échec : entrée en cause</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 photo</source>
+        <translation>1 photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>2 photos</source>
+        <translation>2 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>3 photos</source>
+        <translation>3 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>4 to 5 photos</source>
+        <translation>4 à 5 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>6 to 10 photos</source>
+        <translation>6 à 10 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>more than 10 photos</source>
+        <translation>plus de 10 photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen</source>
+        <translation>vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 200 m or more too low</source>
+        <translation>caché, 200 m ou plus trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 50 m too low</source>
+        <translation>caché, 50 m trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>hidden, 10 m too low</source>
+        <translation>caché, 10 m trop bas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just hidden</source>
+        <translation>tout juste caché</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>just seen</source>
+        <translation>tout juste vu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 10 m to spare</source>
+        <translation>vu, 10 m de marge</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>seen, 100 m or more to spare</source>
+        <translation>vu, 100 m de marge ou plus</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>1 (open sky)</source>
+        <translation>1 (ciel dégagé)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/map_places.py"/>
+        <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
+        <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
+        <translation>Ce que montre le pixel : ground (sol), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Angle of incidence (°, 0 head-on)</source>
+        <translation>Angle d'incidence (°, 0 de face)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Ground per pixel across the view (m)</source>
+        <translation>Sol par pixel en travers de la vue (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, major half axis (m)</source>
+        <translation>Ellipse d'erreur, demi-grand axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Error ellipse, minor half axis (m)</source>
+        <translation>Ellipse d'erreur, demi-petit axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Direction of the major axis (° from true north)</source>
+        <translation>Direction du grand axe (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Standard deviation of the elevation (m)</source>
+        <translation>Écart type de l'altitude (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that the pixel shows other ground, beyond an edge</source>
+        <translation>Probabilité que le pixel montre un autre terrain, au-delà d'une arête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 5 % quantile (m)</source>
+        <translation>Distance, quantile 5 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Distance, 95 % quantile (m)</source>
+        <translation>Distance, quantile 95 % (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
+        <translation>Ce qu'il montre : ground (sol), partly ground (sol en partie), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Share of its outline that lies on known ground</source>
+        <translation>Part de son contour située sur un terrain connu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Pieces, cut where the ground behind jumps</source>
+        <translation>Morceaux, coupés là où le terrain saute à l'arrière</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Median of the error ellipses' major half axis (m)</source>
+        <translation>Médiane des demi-grands axes des ellipses d'erreur (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Largest of the error ellipses' major half axis (m)</source>
+        <translation>Plus grand demi-grand axe des ellipses d'erreur (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Mean probability that it shows other ground, beyond an edge</source>
+        <translation>Probabilité moyenne qu'il montre un autre terrain, au-delà d'une arête</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>Probability that it holds the true place</source>
+        <translation>Probabilité qu'elle contienne la vraie position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>The picture's size is unknown, so its pixels cannot be placed.</source>
+        <translation>La taille de l'image est inconnue : ses pixels ne peuvent pas être situés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Pas de point de photo orientée pour : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
+        <translation>De l'image redressée, en travers de son milieu. NULL : d'après la focale du fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Camera at the recorded altitude</source>
+        <translation>Appareil à l'altitude enregistrée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
+        <translation>Pour les tours, les téléphériques et les drones : l'œil se trouve à l'altitude du fichier, si elle se compte depuis la mer, et non sur le MNT. L'altitude d'un téléphone est souvent fausse de 10 à 50 m. Une altitude de l'appareil dans un champ l'emporte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
+        <translation>Un point par photo : tous les champs de la source, puis azimut, tangage, roulis, angle de champ, leur fiabilité, statut et message.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un point sans photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Annulé après {done} photos sur {count}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
+        <translation>Une erreur imprévue du programme a arrêté cette photo. Signalez-la, s'il vous plaît, avec les détails du journal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos: {parts}.</source>
+        <translation>{count} photos : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Azimut de visée (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Tangage (°, + vers le haut)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Roulis (°, + côté droit plus bas)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Corrélation des lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Corrélation du deuxième meilleur azimut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Deuxième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Troisième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Netteté du pic de corrélation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Azimut enregistré (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Azimut enregistré moins azimut trouvé (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergence des méridiens du MNT (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Appareil au-dessus du MNT (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Portée de recherche (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord gauche de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/oriented.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{name} could not be written.</source>
+        <translation>{name} n'a pas pu être écrit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/panorama_files.py"/>
+        <source>panorama</source>
+        <translation>panorama</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo points</source>
+        <translation>Points de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
+        <translation>Un point par photo, dans tout système de coordonnées, par exemple issu de « Importer des photos géolocalisées ». Le point est la position de l'appareil ; un point sans géométrie prend la position inscrite dans la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Field with the photo's path</source>
+        <translation>Champ du chemin de la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Full path of the photograph; a relative path counts from the layer's or the project's folder.</source>
+        <translation>Chemin complet de la photo ; un chemin relatif part du dossier de la couche ou du projet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
+        <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre aussi loin que les montagnes visibles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>DEM band</source>
+        <translation>Bande du MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Band that holds the heights.</source>
+        <translation>Bande qui contient les altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
+        <translation>À quelle distance peuvent être les montagnes de la ligne d'horizon, en mètres au sol ; la méthode article ne regarde pas au-delà de 15 km.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>robust</source>
+        <translation>robuste</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>paper (as published)</source>
+        <translation>article (telle que publiée)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
+        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'accepte ni indication, ni repère, ni ligne dessinée, ni masque.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Azimut de la boussole enregistré</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>ignore</source>
+        <translation>ignorer</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>use as a hint</source>
+        <translation>utiliser comme indice</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
+        <translation>Ignorer : la boussole est seulement rapportée. Indication : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte. La méthode article ignore la boussole.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Camera height above ground (m)</source>
+        <translation>Hauteur de l'appareil au-dessus du sol (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Metres above the elevation model, where no absolute height is given.</source>
+        <translation>Mètres au-dessus du MNT, là où aucune altitude absolue n'est donnée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
+        <translation>Mètres au sol depuis l'appareil. Rien n'est examiné au-delà.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Refraction coefficient</source>
+        <translation>Coefficient de réfraction</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
+        <translation>Part de la courbure terrestre que l'air compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche de la méthode article, pour qui la terre est plate.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>photo frame</source>
+        <translation>cadre de la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>heading wedge</source>
+        <translation>secteur de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>full circle</source>
+        <translation>cercle complet</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
+        <translation>Cadre de la photo : terrain dans l'image, avec tangage, roulis et les deux angles de champ. Secteur de visée : tout le terrain dans l'angle de champ horizontal. Cercle complet : tout ce qui se voit depuis le lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>HTML files (*.html)</source>
+        <translation>Fichiers HTML (*.html)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
+        <translation>Un fichier HTML autonome avec figures, chiffres et conseils pour chaque photo ou point.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
+        <translation>Aucune photo (JPEG, HEIC) dans {folder}. Choisissez un autre dossier, ou incluez les sous-dossiers.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>The point names no photo, so there is no picture to draw on.</source>
+        <translation>Le point ne désigne aucune photo : il n'y a pas d'image sur laquelle dessiner.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features</source>
+        <translation>Entités de l'image</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Points, lignes ou polygones dont les coordonnées sont des pixels de l'image redressée (dessinés dans QGIS sur la photo même, où y est négatif, ou y compté vers le bas), ou une table avec les champs x et y. Un champ photo désigne la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Image features from a labelling tool</source>
+        <translation>Entités de l'image d'un outil d'annotation</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Label files (*.json *.geojson *.csv);;All files (*)</source>
+        <translation>Fichiers d'annotation (*.json *.geojson *.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>LabelMe, COCO, VIA, GeoJSON with pixel coordinates, or CSV with photo, x, y (and feature, kind, label).</source>
+        <translation>LabelMe, COCO, VIA, GeoJSON en coordonnées pixel, ou CSV avec photo, x, y (et feature, kind, label).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Give image features: a layer, or a file from a labelling tool.</source>
+        <translation>Donnez des entités de l'image : une couche, ou un fichier d'un outil d'annotation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features are empty: draw something on a photo first.</source>
+        <translation>Les entités de l'image sont vides : dessinez d'abord quelque chose sur une photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
+        <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>oui</translation>
     </message>
     <message>
-        <location filename="../algorithms/reporting.py"/>
+        <location filename="../algorithms/shared/reporting.py"/>
         <source>no</source>
         <translation>non</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with an approximate heading (°)</source>
         <translation>Champ d'un azimut approché (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
         <translation>Azimut géographique, dans le sens horaire depuis le nord, près duquel la réponse doit se trouver. NULL : aucun.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Champ de la tolérance de cet azimut (°)</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
         <translation>De combien l'azimut peut s'écarter de l'approché. NULL : 20 degrés.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Landmarks</source>
         <translation>Points de repère</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
         <translation>Points de la carte vus dans les photos : champs photo, x et y (pixels de l'image redressée, le premier vaut 0), éventuellement elevation (m). Un seul suffit pour déterminer l'azimut.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Drawn skylines</source>
         <translation>Lignes d'horizon dessinées</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Table with fields photo, column and row (pixels of the upright picture): the vertices of the skyline.</source>
         <translation>Table avec les champs photo, column et row (pixels de l'image redressée) : les sommets de la ligne d'horizon.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Folder of sky masks</source>
         <translation>Dossier de masques de ciel</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Images nommées comme les photos (IMG_1.png pour IMG_1.heic) dans lesquelles le ciel est blanc.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>La table {parameter} a besoin des champs photo, x et y (ou column et row) ; elle a {fields}.</translation>
     </message>
     <message>
-        <location filename="../algorithms/rescue.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The folder of sky masks {folder} does not exist.</source>
         <translation>Le dossier de masques de ciel {folder} n'existe pas.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
         <translation>PNG en trois volets : photo, azimut et angle de champ sur le MNT, bassin visuel avec l'appareil et, si les points portent un horodatage, le chemin parcouru.</translation>
     </message>
     <message>
-        <location filename="../algorithms/result_figures.py"/>
+        <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Dossier pour une figure par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Extent of the sky view raster</source>
+        <translation>Emprise du raster de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
+        <translation>Facteur de vue du ciel de chaque cellule du MNT dans l'emprise, compte tenu de sa pente (1 = ciel dégagé).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
+        <translation>Vide : tout le MNT. Un million de cellules demande une dizaine de secondes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Search range of the sky view raster (m)</source>
+        <translation>Portée de recherche du raster de vue du ciel (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
+        <translation>Le terrain au-delà n'est pas examiné ; les montagnes lointaines prennent peu de ciel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Sky view factor</source>
+        <translation>Facteur de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
+        <translation>L'emprise du raster de vue du ciel ne touche pas le MNT. Choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
+        <translation>La portée de recherche du raster de vue du ciel ne peut dépasser {most} m avec un MNT de {cell} m.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/sky_view_output.py"/>
+        <source>sky view factor</source>
+        <translation>facteur de vue du ciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Skylines of the photographs</source>
+        <translation>Lignes d'horizon des photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
+        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande l'étendue cadre de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Foreground hides ground</source>
+        <translation>Le premier plan cache du terrain</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
+        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande l'étendue cadre de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>Tolerance above the skyline (°)</source>
+        <translation>Tolérance au-dessus de la ligne d'horizon (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
+        <translation>Jusqu'à cette hauteur au-dessus de la ligne d'horizon, le terrain compte encore comme vu : erreurs du MNT et de l'orientation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
+        <translation>La table des lignes d'horizon n'a pas de champ {field}. Choisissez la table écrite par Extraire la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/skyline_limits.py"/>
+        <source>The table of skylines does not know this photo: nothing is cut off.</source>
+        <translation>La table des lignes d'horizon ne connaît pas cette photo : rien n'est retranché.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Points avec noms et altitudes. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Summits without a name are left out.</source>
+        <translation>Les sommets sans nom sont laissés de côté.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Champ des altitudes (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Text such as 4478 is read too.</source>
+        <translation>Un texte comme 4478 est lu aussi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Least prominence (m)</source>
+        <translation>Proéminence minimale (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Of summits found in the DEM.</source>
+        <translation>Des sommets trouvés dans le MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Search radius around a published summit (m)</source>
+        <translation>Rayon de recherche autour d'un sommet publié (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>0: take the place as published.</source>
+        <translation>0 : prendre la position telle que publiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
+        <translation>La couche de sommets n'a pas de champ {field}. Choisissez le champ des noms.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <source>Cancelled after {done} of {count} viewsheds.</source>
+        <translation>Annulé après {done} bassins visuels sur {count}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Up is positive. NULL: 0.</source>
+        <translation>Positif vers le haut. NULL : 0.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Only used where the photograph itself is missing.</source>
+        <translation>Utilisé seulement là où la photo elle-même manque.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
+        <translation>Absolue, dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the heading (°)</source>
+        <translation>Incertitude de l'azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
+        <translation>Écart type, là où les points n'ont pas heading_lo et heading_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the pitch (°)</source>
+        <translation>Incertitude du tangage (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Écart type.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the roll (°)</source>
+        <translation>Incertitude du roulis (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the focal length (%)</source>
+        <translation>Incertitude de la focale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the position (m)</source>
+        <translation>Incertitude de la position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
+        <translation>Écart type de la position de l'appareil, vers l'est et vers le nord chacun ; remplacé par un champ h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Uncertainty of the camera's elevation (m)</source>
+        <translation>Incertitude de l'altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Vertical error of the DEM (m)</source>
+        <translation>Erreur altimétrique du MNT (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
+        <translation>La taille de l'image est inconnue : ses pixels sont pris comme ceux d'une image de 4000 px de large.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La photo n'a pas d'angle de champ horizontal entre 0 et 180 degrés ; orientez-la d'abord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Smallest area (m²)</source>
+        <translation>Plus petite surface (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
+        <translation>Les parties d'un polygone plus petites sont omises, les trous plus petits comblés. 0 garde tout.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for layers per photo</source>
+        <translation>Dossier des couches par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de l'étendue et de la portée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Folder for probabilities per photo</source>
+        <translation>Dossier des probabilités par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
+        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo ; environ cinq fois plus long.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of positions (m)</source>
+        <translation>Erreur des positions (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation along each axis, for probabilities.</source>
+        <translation>Écart type selon chaque axe, pour les probabilités.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the DEM (m)</source>
+        <translation>Erreur du MNT (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
+        <translation>Écart type de la hauteur d'une cellule au-dessus de ce qui se trouve devant elle, pour les probabilités.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the pitch (°)</source>
+        <translation>Erreur du tangage (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities.</source>
+        <translation>Écart type, pour les probabilités.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the roll (°)</source>
+        <translation>Erreur du roulis (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
+        <translation>Écart type, pour les probabilités. Elle déplace ce qui est loin du milieu de l'image.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Error of the focal length (%)</source>
+        <translation>Erreur de la focale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Share of the picture that the DEM explains as ground</source>
+        <translation>Part de l'image que le MNT explique comme terrain</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.9 or more (m²)</source>
+        <translation>Terrain montré avec une probabilité d'au moins 0,9 (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Ground shown with a probability of 0.5 or more (m²)</source>
+        <translation>Terrain montré avec une probabilité d'au moins 0,5 (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>distance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>elevation angle</source>
+        <translation>angle de hauteur</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>height above the line of sight</source>
+        <translation>hauteur au-dessus de la ligne de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>column in the photograph</source>
+        <translation>colonne dans la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>row in the photograph</source>
+        <translation>ligne dans la photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
+        <translation>Ni couches ni probabilités : l'étendue a plus de {count} millions de cellules. Prenez une distance maximale plus courte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
+        <translation>Pas de probabilités : il faut l'étendue cadre de la photo, avec le tangage et le champ vertical.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>probability that the photograph shows the cell</source>
+        <translation>probabilité que la photo montre la cellule</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view</source>
+        <translation>Terrain visible le plus lointain</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>The polygon of {name} could not be built.</source>
+        <translation>Le polygone de {name} n'a pas pu être construit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Ground in view (m²)</source>
+        <translation>Terrain visible (m²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <source>Farthest ground in view (m)</source>
+        <translation>Terrain visible le plus lointain (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Target height above ground (m)</source>
+        <translation>Hauteur de la cible au-dessus du sol (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Height of what is looked at; 0 asks for the ground itself.</source>
+        <translation>Hauteur de ce qui est regardé ; 0 demande le sol lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
+        <translation>Le terrain plus proche n'est pas déclaré vu, mais cache ce qui est derrière lui.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>The minimum distance must be smaller than the maximum distance.</source>
+        <translation>La distance minimale doit être plus petite que la distance maximale.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>azimut de visée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>horizontal field of view</source>
+        <translation>angle de champ horizontal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: the {value} is unknown.</source>
+        <translation>Pas de bassin visuel : {value} inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
+        <translation>Pas de bassin visuel : un angle de champ doit être compris entre 0 et 180 degrés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/visibility.py"/>
+        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
+        <translation>Le tangage ou l'angle de champ vertical est inconnu : c'est le secteur de visée qui est montré, pas le cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -2870,12 +3289,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/views.py"/>
-        <source>Up is positive. NULL: 0.</source>
-        <translation>Positif vers le haut. NULL : 0.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>NULL: 65 degrees.</source>
         <translation>NULL : 65 degrés.</translation>
     </message>
@@ -2883,12 +3296,6 @@
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Clouds</source>
         <translation>Nuages</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>none</source>
-        <translation>aucun</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3016,418 +3423,6 @@
         <translation>En pas de 8 bits à gris moyen.</translation>
     </message>
     <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Extent of the sky view raster</source>
-        <translation>Emprise du raster de vue du ciel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Sky view factor of every cell of the DEM in the extent, its slope taken into account (1 = open sky).</source>
-        <translation>Facteur de vue du ciel de chaque cellule du MNT dans l'emprise, compte tenu de sa pente (1 = ciel dégagé).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Empty: the whole DEM. A million cells take some ten seconds.</source>
-        <translation>Vide : tout le MNT. Un million de cellules demande une dizaine de secondes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Search range of the sky view raster (m)</source>
-        <translation>Portée de recherche du raster de vue du ciel (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>Le terrain au-delà n'est pas examiné ; les montagnes lointaines prennent peu de ciel.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <location filename="../core/report_horizon.py"/>
-        <source>Sky view factor</source>
-        <translation>Facteur de vue du ciel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>L'emprise du raster de vue du ciel ne touche pas le MNT. Choisissez-en une autre.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>La portée de recherche du raster de vue du ciel ne peut dépasser {most} m avec un MNT de {cell} m.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/sky_view_output.py"/>
-        <source>sky view factor</source>
-        <translation>facteur de vue du ciel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Skylines of the photographs</source>
-        <translation>Lignes d'horizon des photos</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande l'étendue cadre de la photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Foreground hides ground</source>
-        <translation>Le premier plan cache du terrain</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande l'étendue cadre de la photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>Tolerance above the skyline (°)</source>
-        <translation>Tolérance au-dessus de la ligne d'horizon (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>Jusqu'à cette hauteur au-dessus de la ligne d'horizon, le terrain compte encore comme vu : erreurs du MNT et de l'orientation.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines has no field {field}. Choose the table that Extract skyline has written.</source>
-        <translation>La table des lignes d'horizon n'a pas de champ {field}. Choisissez la table écrite par Extraire la ligne d'horizon.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>La table des lignes d'horizon ne connaît pas cette photo : rien n'est retranché.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits</source>
-        <translation>Sommets</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Points avec noms et altitudes. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Summits without a name are left out.</source>
-        <translation>Les sommets sans nom sont laissés de côté.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Champ des altitudes (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Un texte comme 4478 est lu aussi.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Least prominence (m)</source>
-        <translation>Proéminence minimale (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>Des sommets trouvés dans le MNT.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>Search radius around a published summit (m)</source>
-        <translation>Rayon de recherche autour d'un sommet publié (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0 : prendre la position telle que publiée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/summit_input.py"/>
-        <source>The layer of summits has no field {field}. Choose the field with the names.</source>
-        <translation>La couche de sommets n'a pas de champ {field}. Choisissez le champ des noms.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewer.py"/>
-        <source>Cancelled after {done} of {count} viewsheds.</source>
-        <translation>Annulé après {done} bassins visuels sur {count}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Utilisé seulement là où la photo elle-même manque.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Absolute, in the DEM's height system. NULL: DEM plus camera height.</source>
-        <translation>Absolue, dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the heading (°)</source>
-        <translation>Incertitude de l'azimut (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Écart type, là où les points n'ont pas heading_lo et heading_hi.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the pitch (°)</source>
-        <translation>Incertitude du tangage (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Écart type.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the roll (°)</source>
-        <translation>Incertitude du roulis (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the focal length (%)</source>
-        <translation>Incertitude de la focale (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the position (m)</source>
-        <translation>Incertitude de la position (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Écart type de la position de l'appareil, vers l'est et vers le nord chacun ; remplacé par un champ h_acc.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Uncertainty of the camera's elevation (m)</source>
-        <translation>Incertitude de l'altitude de l'appareil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>Vertical error of the DEM (m)</source>
-        <translation>Erreur altimétrique du MNT (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>La taille de l'image est inconnue : ses pixels sont pris comme ceux d'une image de 4000 px de large.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>La photo n'a pas d'angle de champ horizontal entre 0 et 180 degrés ; orientez-la d'abord.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Smallest area (m²)</source>
-        <translation>Plus petite surface (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Les parties d'un polygone plus petites sont omises, les trous plus petits comblés. 0 garde tout.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for layers per photo</source>
-        <translation>Dossier des couches par photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de l'étendue et de la portée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Folder for probabilities per photo</source>
-        <translation>Dossier des probabilités par photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo ; environ cinq fois plus long.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of positions (m)</source>
-        <translation>Erreur des positions (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation along each axis, for probabilities.</source>
-        <translation>Écart type selon chaque axe, pour les probabilités.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the DEM (m)</source>
-        <translation>Erreur du MNT (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Écart type de la hauteur d'une cellule au-dessus de ce qui se trouve devant elle, pour les probabilités.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the pitch (°)</source>
-        <translation>Erreur du tangage (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Écart type, pour les probabilités.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the roll (°)</source>
-        <translation>Erreur du roulis (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Écart type, pour les probabilités. Elle déplace ce qui est loin du milieu de l'image.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Error of the focal length (%)</source>
-        <translation>Erreur de la focale (%)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Share of the picture that the DEM explains as ground</source>
-        <translation>Part de l'image que le MNT explique comme terrain</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.9 or more (m²)</source>
-        <translation>Terrain montré avec une probabilité d'au moins 0,9 (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>Ground shown with a probability of 0.5 or more (m²)</source>
-        <translation>Terrain montré avec une probabilité d'au moins 0,5 (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>distance</source>
-        <translation>distance</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>elevation angle</source>
-        <translation>angle de hauteur</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>height above the line of sight</source>
-        <translation>hauteur au-dessus de la ligne de visée</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>column in the photograph</source>
-        <translation>colonne dans la photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>row in the photograph</source>
-        <translation>ligne dans la photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum distance.</source>
-        <translation>Ni couches ni probabilités : l'étendue a plus de {count} millions de cellules. Prenez une distance maximale plus courte.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>No probabilities: they need the area photo frame, with pitch and vertical field of view.</source>
-        <translation>Pas de probabilités : il faut l'étendue cadre de la photo, avec le tangage et le champ vertical.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_extras.py"/>
-        <source>probability that the photograph shows the cell</source>
-        <translation>probabilité que la photo montre la cellule</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view</source>
-        <translation>Terrain visible le plus lointain</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>The polygon of {name} could not be built.</source>
-        <translation>Le polygone de {name} n'a pas pu être construit.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Ground in view (m²)</source>
-        <translation>Terrain visible (m²)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/viewshed_outputs.py"/>
-        <source>Farthest ground in view (m)</source>
-        <translation>Terrain visible le plus lointain (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Target height above ground (m)</source>
-        <translation>Hauteur de la cible au-dessus du sol (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Hauteur de ce qui est regardé ; 0 demande le sol lui-même.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>Le terrain plus proche n'est pas déclaré vu, mais cache ce qui est derrière lui.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>The minimum distance must be smaller than the maximum distance.</source>
-        <translation>La distance minimale doit être plus petite que la distance maximale.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <location filename="../core/figures_panels.py"/>
-        <source>heading</source>
-        <translation>azimut de visée</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>angle de champ horizontal</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Pas de bassin visuel : {value} inconnu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>No viewshed: a field of view must lie between 0 and 180 degrees.</source>
-        <translation>Pas de bassin visuel : un angle de champ doit être compris entre 0 et 180 degrés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/visibility.py"/>
-        <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
-        <translation>Le tangage ou l'angle de champ vertical est inconnu : c'est le secteur de visée qui est montré, pas le cadre de la photo.</translation>
-    </message>
-    <message>
         <location filename="../algorithms/which_photos.py"/>
         <source>Which photos show these places?</source>
         <translation>Quelles photos montrent ces lieux ?</translation>
@@ -3509,7 +3504,7 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place</source>
         <translation>Lieu</translation>
     </message>
@@ -3564,687 +3559,687 @@
         <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
     </message>
     <message>
-        <location filename="../core/annotate.py"/>
+        <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>photo annotée</translation>
     </message>
     <message>
-        <location filename="../core/draw_text.py"/>
-        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
-        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <location filename="../core/report_overview.py"/>
-        <source>extracted skyline</source>
-        <translation>ligne d'horizon extraite</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_overlay.py"/>
-        <source>DEM horizon at {heading}</source>
-        <translation>horizon du MNT à {heading}</translation>
-    </message>
-    <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>vue</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>viewshed</source>
         <translation>bassin visuel</translation>
     </message>
     <message>
-        <location filename="../core/figures_panels.py"/>
+        <location filename="../core/figures/ground.py"/>
         <source>photograph</source>
         <translation>photographie</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/overlay.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>extracted skyline</source>
+        <translation>ligne d'horizon extraite</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/overlay.py"/>
+        <source>DEM horizon at {heading}</source>
+        <translation>horizon du MNT à {heading}</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/profile.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Le MNT n'a pas d'horizon ici.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Horizon of the DEM over all azimuths</source>
         <translation>Horizon du MNT sur tous les azimuts</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Image skyline against DEM horizon</source>
         <translation>Ligne d'horizon de l'image comparée à l'horizon du MNT</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>No column of the picture was compared with the DEM.</source>
         <translation>Aucune colonne de l'image n'a été comparée au MNT.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Skyline above DEM [px]</source>
         <translation>Ligne d'horizon au-dessus du MNT [px]</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>left</source>
         <translation>gauche</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>right</source>
         <translation>droite</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Residuals along the columns: {words}.</source>
         <translation>Écarts le long des colonnes : {words}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>no column compared</source>
         <translation>aucune colonne comparée</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>median {value}</source>
         <translation>médiane {value}</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of the height</source>
         <translation>{share} % de la hauteur</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>{share} % of columns</source>
         <translation>{share} % des colonnes</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Elevation angle</source>
         <translation>Hauteur angulaire</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>Distance</source>
         <translation>Distance</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>cut by the DEM's edge</source>
         <translation>coupé par le bord du MNT</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>void</source>
         <translation>lacune</translation>
     </message>
     <message>
-        <location filename="../core/figures_profile.py"/>
+        <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
         <translation>L'horizon est le plus haut à l'azimut {azimuth} avec {angle} degrés, à {distance} ; sa médiane est de {median} degrés. Dans {share} % des directions, le MNT s'arrête trop tôt.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Score sur tous les azimuts</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was scored.</source>
         <translation>Aucun azimut n'a été évalué.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>compass</source>
         <translation>boussole</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>{score} over all headings</source>
         <translation>{score} sur tous les azimuts</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Score par direction, nord en haut</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>No heading was found.</source>
         <translation>Aucun azimut n'a été trouvé.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The best heading is {heading} from true north.</source>
         <translation>Le meilleur azimut est {heading} depuis le nord géographique.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>Alternatives are at {headings}.</source>
         <translation>Les alternatives sont à {headings}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_score.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The compass recorded {heading}.</source>
         <translation>La boussole a enregistré {heading}.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
+        <location filename="../core/figures/stations.py"/>
         <source>{count} photographs within {extent} kilometres.</source>
         <translation>{count} photos dans un rayon de {extent} kilomètres.</translation>
     </message>
     <message>
-        <location filename="../core/figures_stations.py"/>
-        <location filename="../core/report.py"/>
+        <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/report.py"/>
         <source>Where the photographs stand and look</source>
         <translation>Où les photos ont été prises et vers où elles regardent</translation>
     </message>
     <message>
-        <location filename="../core/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} photos ont ici des chiffres mais pas de figures, pour que la page reste utilisable : un rapport dessine les {most} premières en entier ({accepted} acceptées). Traitez-les en plus petits groupes pour les voir toutes.</translation>
+        <location filename="../core/figures/text.py"/>
+        <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
+        <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>best guess</source>
         <translation>meilleure estimation</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>likeliest of several</source>
         <translation>le plus probable de plusieurs</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Pitch</source>
         <translation>Tangage</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Roll</source>
         <translation>Roulis</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>HFOV</source>
         <translation>Champ hor.</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Compass − found</source>
         <translation>Boussole − trouvé</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye elevation</source>
         <translation>Altitude de l'œil</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC</source>
         <translation>NCC</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>probability</source>
         <translation>probabilité</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} à moins de 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Alternatives</source>
         <translation>Alternatives</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>picture with extracted skyline and DEM horizons</source>
         <translation>image avec la ligne d'horizon extraite et les horizons du MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>extracted</source>
         <translation>extraite</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>DEM at {heading}</source>
         <translation>MNT à {heading}</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>alternatives</source>
         <translation>alternatives</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/card.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score</source>
         <translation>Score</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>Where it looks, and the ground it shows</source>
         <translation>Vers où elle regarde, et le terrain qu'elle montre</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers, and the DEM's horizon</source>
         <translation>Tous les chiffres, et l'horizon du MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_card.py"/>
+        <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Tous les chiffres</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>accepted</source>
         <translation>acceptée</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ambiguous</source>
         <translation>ambiguë</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>rejected</source>
         <translation>rejetée</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>en échec</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Further</source>
         <translation>Autres</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Match</source>
         <translation>Appariement</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Lens</source>
         <translation>Objectif</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Compass</source>
         <translation>Boussole</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Place and eye</source>
         <translation>Lieu et œil</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM horizon</source>
         <translation>Horizon du MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Fichier</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>{low} to {high}</source>
         <translation>{low} à {high}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Heading, true</source>
         <translation>Azimut, géographique</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>90 % interval</source>
         <translation>Intervalle à 90 %</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Pitch, + up</source>
         <translation>Tangage, + vers le haut</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Roll, + right side down</source>
         <translation>Roulis, + côté droit vers le bas</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Alternative {rank}</source>
         <translation>Alternative {rank}</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Within 3° of the truth</source>
         <translation>À moins de 3° de la vérité</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Score of alternative 2</source>
         <translation>Score de l'alternative 2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>NCC of the second peak</source>
         <translation>NCC du deuxième pic</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Sharpness of the peak</source>
         <translation>Netteté du pic</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Residual, median</source>
         <translation>Écart, médiane</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Columns compared</source>
         <translation>Colonnes comparées</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Horizontal field of view</source>
         <translation>Angle de champ horizontal</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Vertical field of view</source>
         <translation>Angle de champ vertical</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Focal length</source>
         <translation>Distance focale</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, used</source>
         <translation>Équivalent 35 mm, utilisé</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>35 mm equivalent, EXIF</source>
         <translation>Équivalent 35 mm, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distortion k1, k2</source>
         <translation>Distorsion k1, k2</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from true north</source>
         <translation>depuis le nord géographique</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>from magnetic north</source>
         <translation>depuis le nord magnétique</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>reference unknown</source>
         <translation>référence inconnue</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded</source>
         <translation>Enregistré</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Turned to true north</source>
         <translation>Ramené au nord géographique</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Enregistré moins trouvé</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Latitude</source>
         <translation>Latitude</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Longitude</source>
         <translation>Longitude</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Erreur de position, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye elevation, used</source>
         <translation>Altitude de l'œil, utilisée</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>DEM under the eye</source>
         <translation>MNT sous l'œil</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Eye above the DEM</source>
         <translation>Œil au-dessus du MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Altitude, EXIF</source>
         <translation>Altitude, EXIF</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>sea level</source>
         <translation>niveau de la mer</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>below sea level</source>
         <translation>sous le niveau de la mer</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>ellipsoid</source>
         <translation>ellipsoïde</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, median</source>
         <translation>Distance visible, médiane</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Distance in view, farthest</source>
         <translation>Distance visible, maximale</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Cut by the DEM's edge in view</source>
         <translation>Coupé par le bord du MNT dans la vue</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cell</source>
         <translation>Cellule</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Grid north from true north</source>
         <translation>Nord de la grille depuis le nord géographique</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Path</source>
         <translation>Chemin</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Size, upright</source>
         <translation>Taille, redressée</translation>
     </message>
     <message>
-        <location filename="../core/report_facts.py"/>
+        <location filename="../core/report/facts.py"/>
         <source>Taken, camera's time</source>
         <translation>Prise, heure de l'appareil</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Place and horizon</source>
         <translation>Lieu et horizon</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Eye and DEM</source>
         <translation>Œil et MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>1 place</source>
         <translation>1 lieu</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>{count} places</source>
         <translation>{count} lieux</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Highest horizon</source>
         <translation>Horizon le plus haut</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>at azimuth</source>
         <translation>à l'azimut</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Mean horizon</source>
         <translation>Horizon moyen</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Median distance</source>
         <translation>Distance médiane</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Farthest</source>
         <translation>Le plus loin</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Cut by DEM edge</source>
         <translation>Coupé par le bord du MNT</translation>
     </message>
     <message>
-        <location filename="../core/report_horizon.py"/>
+        <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Lacune</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Heading</source>
         <translation>Azimut</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>90 %</source>
         <translation>90 %</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Within 3°</source>
         <translation>À moins de 3°</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Second</source>
         <translation>Deuxième</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>Residual</source>
         <translation>Écart</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>all</source>
         <translation>toutes</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>evidence</source>
         <translation>indices</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>DEM horizon, answer</source>
         <translation>horizon du MNT, réponse</translation>
     </message>
     <message>
-        <location filename="../core/report_overview.py"/>
+        <location filename="../core/report/overview.py"/>
         <source>whole picture</source>
         <translation>image entière</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>code de langue : fr</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Made by {software}.</source>
         <translation>Réalisé par {software}.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Cette page est complète en elle-même et ne charge rien d'un réseau. Touches : j photo suivante, k précédente.</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Run</source>
         <translation>Exécution</translation>
     </message>
     <message>
-        <location filename="../core/report_page.py"/>
+        <location filename="../core/report/page.py"/>
         <source>Parameters, DEM and software</source>
         <translation>Paramètres, MNT et logiciel</translation>
+    </message>
+    <message>
+        <location filename="../core/report/report.py"/>
+        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
+        <translation>{count} photos ont ici des chiffres mais pas de figures, pour que la page reste utilisable : un rapport dessine les {most} premières en entier ({accepted} acceptées). Traitez-les en plus petits groupes pour les voir toutes.</translation>
     </message>
 </context>
 </TS>

@@ -113,7 +113,6 @@ SENTENCES = (
     ),
     mark("{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark."),
     mark("{a} needs the Python package {b}. {c}"),
-    mark("No view of a ridge was found in {a} places. Use a DEM with more relief."),
     mark("The picture is only {a} x {b} pixels."),
     mark("The picture has a single colour."),
     mark("The drawn skyline has fewer than two points."),

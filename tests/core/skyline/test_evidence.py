@@ -13,7 +13,7 @@ from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
 from skyline_viewshed.core.skyline.evidence import EvidenceOptions, find_crop, shipped_weights, skyline_evidence
 
-DATA = Path(os.environ.get("SKYLINE_DATA") or Path(__file__).parents[3] / "shared" / "data")
+DATA = Path(os.environ.get("SKYLINE_DATA") or Path(__file__).parents[4] / "shared" / "data")
 
 
 def ridge_rows(width, height, mean=0.4, swing=0.12):

@@ -264,7 +264,7 @@ def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
 
 
 def test_dropping_hidden_blocks_changes_nothing(monkeypatch):
-    from skyline_viewshed.core.viewshed.viewshed import slabs as viewshed_blocks
+    from skyline_viewshed.core.viewshed import slabs as viewshed_blocks
 
     terrain, observer = stand(fractal(400, seed=14), 30.0, 210.3, 180.8, 5.0)
     quick = viewshed(terrain, observer).values
