@@ -142,26 +142,14 @@ def scene_parameters():
         defaultValue=FOREGROUNDS.index(scene.foreground),
     )
     number, angle = shared.number, tr("Degrees.")
+    share = tr("Share of the picture's width that is covered, 0 to 1.")
+    line = tr("Elevation. If this is empty, it is derived from the relief in view.")
     return [
         number("SEED", tr("Seed"), scene.seed, tr("The same number gives the same picture."), 0, integer=True),
         shared.explained(clouds, tr("Weather of the scene.")),
-        number(
-            "CLOUD_SHARE",
-            tr("Share of clouds"),
-            scene.cloud_share,
-            tr("Share of the picture's width that is covered, 0 to 1."),
-            0,
-            1,
-        ),
+        number("CLOUD_SHARE", tr("Share of clouds"), scene.cloud_share, share, 0, 1),
         shared.explained(foreground, tr("Objects near the camera.")),
-        number(
-            "FOREGROUND_SHARE",
-            tr("Share of foreground"),
-            scene.foreground_share,
-            tr("Share of the picture's width that is covered, 0 to 1."),
-            0,
-            1,
-        ),
+        number("FOREGROUND_SHARE", tr("Share of foreground"), scene.foreground_share, share, 0, 1),
         number("SUN_AZIMUTH", tr("Azimuth of the sun (°)"), scene.sun_azimuth_deg, angle, 0, 360),
         number("SUN_ELEVATION", tr("Elevation of the sun (°)"), scene.sun_elevation_deg, angle, -5, 90),
         shared.distance(
@@ -170,20 +158,8 @@ def scene_parameters():
         shared.distance(
             "MAX_DISTANCE", tr("Maximum distance (m)"), scene.range_m, tr("Terrain beyond is left out."), 100
         ),
-        number(
-            "SNOW_LINE",
-            tr("Snow line (m)"),
-            None,
-            tr("Elevation. If this is empty, it is derived from the relief in view."),
-            optional=True,
-        ),
-        number(
-            "TREE_LINE",
-            tr("Tree line (m)"),
-            None,
-            tr("Elevation. If this is empty, it is derived from the relief in view."),
-            optional=True,
-        ),
+        number("SNOW_LINE", tr("Snow line (m)"), None, line, optional=True),
+        number("TREE_LINE", tr("Tree line (m)"), None, line, optional=True),
         number("NOISE", tr("Sensor noise"), scene.noise, tr("Standard deviation at mid-grey, in 8-bit steps."), 0, 50),
     ]
 
