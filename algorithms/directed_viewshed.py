@@ -44,24 +44,27 @@ class DirectedViewshed(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? "
-                "<i>Photo frame</i> uses heading, pitch, roll and both fields of view; <i>heading wedge</i> only "
-                "heading and horizontal field of view; <i>full circle</i> none of them."
+                "Tests for every cell of the elevation model in range whether it is visible from the camera "
+                "and lies inside the picture. <i>Photo frame</i> uses heading, pitch, roll and both fields "
+                "of view; <i>heading wedge</i> uses only the heading and the horizontal field of view; "
+                "<i>full circle</i> uses none of them."
             ),
             tr(
-                "The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is "
-                "unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are "
-                "true and distances ground metres, whatever the coordinate system."
+                "The raster uses the DEM's grid and counts the photographs that show each cell; cells for "
+                "which this is unknown are nodata. The polygons have the area on the ellipsoid (m²) and the "
+                "farthest distance (m) as attributes. Azimuths count from true north and distances are "
+                "ground metres, whatever the coordinate system."
             ),
             tr(
-                "Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be "
-                "seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the "
-                "photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are "
-                "computed together."
+                "Advanced options: layers with values per cell (distance, elevation angle, how much higher a "
+                "target must be to be visible, position in the picture), probabilities that account for the "
+                "errors of pose, position and DEM, and the photographs' own skylines, which exclude ground "
+                "that the foreground hides. Photographs from exactly the same place are computed together."
             ),
             tr(
-                "A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers "
-                "and probabilities is taken from there if DEM, pose and settings are still the same."
+                "To continue a run that was stopped, repeat it with the same parameters. Finished files in "
+                "the folders of rasters, layers and probabilities are reused if the DEM, the pose and the "
+                "settings have not changed."
             ),
         ]
 
@@ -97,7 +100,7 @@ class DirectedViewshed(DemAlgorithm):
             shared.raster_out(
                 "OUTPUT",
                 tr("Viewshed"),
-                text=tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+                text=tr("Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown."),
             )
         )
         self.addParameter(
@@ -170,7 +173,12 @@ def pose_parameters():
     field = shared.number_field
     heading = field("HEADING_FIELD", tr("Field with the heading (°)"), tr("True, clockwise from north."), "heading")
     others = [
-        field("HFOV_FIELD", tr("Field with the horizontal field of view (°)"), tr("Of the upright picture."), "hfov"),
+        field(
+            "HFOV_FIELD",
+            tr("Field with the horizontal field of view (°)"),
+            tr("Field of view of the upright picture."),
+            "hfov",
+        ),
         field("PITCH_FIELD", tr("Field with the pitch (°)"), tr("Up is positive. NULL: wedge, not frame."), "pitch"),
         field("ROLL_FIELD", tr("Field with the roll (°)"), tr("Right side down is positive. NULL: 0."), "roll"),
         field("VFOV_FIELD", tr("Field with the vertical field of view (°)"), tr("NULL: wedge, not frame."), "vfov"),
@@ -180,7 +188,7 @@ def pose_parameters():
 
 def interval_parameters():
     """Fields with the ends of the heading's interval, as `orientphotos` writes them."""
-    text = tr("Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.")
+    text = tr("End of the 90 % interval, used for probabilities. NULL: a standard deviation of 0.5° is used instead.")
     return [
         shared.number_field("HEADING_LO_FIELD", tr("Field with the heading's lower end (°)"), text, "heading_lo"),
         shared.number_field("HEADING_HI_FIELD", tr("Field with the heading's upper end (°)"), text, "heading_hi"),

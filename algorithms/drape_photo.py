@@ -37,14 +37,16 @@ class DrapePhoto(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Every cell that a photograph sees takes the colour of the pixels that show it; the rest is "
-                "transparent. Several photographs are blended: the one with the finer view of a cell prevails, and "
-                "each fades out towards its edges."
+                "Each cell that a photograph shows gets the colour of the pixels that show it; all other "
+                "cells are transparent. If several photographs show a cell, their colours are blended: the "
+                "photograph with the finest resolution there has the greatest weight, and each photograph "
+                "fades out towards its edges."
             ),
             tr(
-                "The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 "
-                "across the line of sight, band 2 along it on the slope, which is long where the view grazes. "
-                "Trees and people in the picture are draped too: the DEM does not know them."
+                "The second raster gives the ground sampling distance of the best photo in metres per pixel: "
+                "band 1 across the line of sight, band 2 along it on the slope, which is long if the line "
+                "of sight grazes the ground. Trees and people in the picture are draped too, because the DEM "
+                "does not contain them."
             ),
         ]
 

@@ -43,13 +43,14 @@ class ExtractSkyline(SkylineAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Writes one row per picture column: <b>column</b> and <b>row</b> are pixels of the full upright "
-                "picture (the first pixel at 0, row = first terrain pixel), <b>confidence</b> runs from 0 (no "
-                "believable boundary, interpolated) to 1."
+                "Writes one row per picture column. <b>column</b> and <b>row</b> are pixels of the full "
+                "upright picture (the first pixel is 0; row is the first terrain pixel). <b>confidence</b> "
+                "ranges from 0 (no plausible boundary, interpolated) to 1."
             ),
             tr(
-                "Correct the table by hand and give it to <i>Orient photos</i> as <i>Drawn skylines</i> where the "
-                "automatic skyline is wrong. Overlays are PNG pictures to judge it by."
+                "If the automatic skyline is wrong, correct the table by hand and use it in <i>Orient "
+                "photos</i> as <i>Drawn skylines</i>. The overlays are PNG pictures for checking the "
+                "skyline."
             ),
         ]
 
@@ -60,8 +61,8 @@ class ExtractSkyline(SkylineAlgorithm):
         self.addParameter(photos)
         self.addParameter(shared.photo_field())
         text = tr(
-            "Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, "
-            "column by column."
+            "Robust: finds the most likely line as a whole, even with haze, clouds and noise. Paper: uses "
+            "the published filters, column by column."
         )
         self.addParameter(shared.method(text=text))
         self.addParameter(

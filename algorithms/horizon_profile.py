@@ -52,17 +52,18 @@ class HorizonProfile(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. "
-                "Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's "
-                "curvature and refraction are taken into account."
+                "Computes the elevation angle, the distance and the position of the horizon for each point "
+                "and azimuth. Azimuths count from true north and distances are ground metres in any "
+                "coordinate system of the DEM. The earth's curvature and refraction are taken into account."
             ),
             tr(
-                "<b>clipped</b> is true where the elevation model ends before the search range and higher terrain "
-                "could stand beyond it. <b>svf</b> is the sky view factor of the source point (1 = open sky)."
+                "<b>clipped</b> is true if the elevation model ends before the search range and there could "
+                "be higher terrain beyond it. <b>svf</b> is the sky view factor of the source point (1 = "
+                "open sky)."
             ),
             tr(
-                "Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own "
-                "slope taken into account (Dozier and Frew 1990)."
+                "Under Advanced you can add a raster with the sky view factor of each cell in an extent, "
+                "which takes the cell's own slope into account (Dozier and Frew 1990)."
             ),
         ]
 
@@ -70,7 +71,7 @@ class HorizonProfile(DemAlgorithm):
         """Declare parameters and outputs."""
         defaults = HorizonOptions()
         points = QgsProcessingParameterFeatureSource("INPUT", tr("Points"), [QgsProcessing.SourceType.TypeVectorPoint])
-        self.addParameter(shared.explained(points, tr("Where the eye stands, in any coordinate system.")))
+        self.addParameter(shared.explained(points, tr("Positions of the observer's eye, in any coordinate system.")))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
         self.addParameter(shared.eye_height())
@@ -90,7 +91,9 @@ class HorizonProfile(DemAlgorithm):
             shared.points_out(
                 "OUTPUT",
                 tr("Horizon"),
-                text=tr("One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m)."),
+                text=tr(
+                    "One point per azimuth at the position of the horizon, with elevation angle (°) and distance (m)."
+                ),
             )
         )
         self.addParameter(shared.report_out())

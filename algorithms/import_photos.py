@@ -52,20 +52,22 @@ class ImportPhotos(SkylineAlgorithm):
                 "size of the upright picture, reference of the compass (true or magnetic), GPS error, camera."
             ),
             tr(
-                "What a file does not say stays NULL. Photographs without a usable position, and files that "
-                "cannot be read, go to the optional table of rejected photographs with the reason."
+                "Values that a file does not contain are NULL. The optional table of rejected photographs "
+                "lists photographs without a usable position and files that cannot be read, with the reason."
             ),
         ]
 
     def initAlgorithm(self, config=None):
         """Declare parameters and outputs."""
         self.addParameter(
-            shared.folder_in("FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files are read by content."))
+            shared.folder_in(
+                "FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files are recognised by their content.")
+            )
         )
         self.addParameter(
             shared.explained(
-                QgsProcessingParameterBoolean("RECURSIVE", tr("Folders inside it too"), False),
-                tr("Look into all folders below as well."),
+                QgsProcessingParameterBoolean("RECURSIVE", tr("Include subfolders"), False),
+                tr("Also searches all subfolders."),
             )
         )
         self.addParameter(
@@ -82,7 +84,7 @@ class ImportPhotos(SkylineAlgorithm):
                 QgsProcessing.SourceType.TypeVector,
                 optional=True,
                 create=False,
-                text=tr("Table of the files that give no point, each with the reason."),
+                text=tr("Table of the files that produced no point, with the reason."),
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))

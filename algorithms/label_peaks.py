@@ -38,20 +38,21 @@ class LabelPeaks(DemAlgorithm):
 
     def shortDescription(self):
         """One line."""
-        return tr("Which summits are in the picture, visible, how far and where; annotated PNG and SVG")
+        return tr("Summits in the picture with visibility, distance and position; annotated PNG and SVG")
 
     def help_text(self):
         """Paragraphs of the help."""
         return [
             tr(
-                "Takes a point layer with names and heights (OpenStreetMap <i>natural=peak</i>, GeoNames), or finds "
-                "summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, "
-                "since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo "
-                "shows it."
+                "Uses a point layer with names and heights (OpenStreetMap <i>natural=peak</i>, GeoNames), or "
+                "finds summits in the elevation model by their prominence. Each published summit is moved "
+                "to the nearby top in the DEM, because published positions and coarse DEMs differ by "
+                "hundreds of metres. Then its visibility in the photo is tested."
             ),
             tr(
-                "Labels never overlap; the more important summit (by prominence, else by height above the others in "
-                "view) gets the better place. Those without room are left out of the picture, not of the layer."
+                "Labels never overlap. The more important summit (by prominence, otherwise by height above "
+                "the others in view) gets the better place. Labels without room are left out of the picture; "
+                "the layer contains all summits."
             ),
         ]
 
@@ -64,8 +65,8 @@ class LabelPeaks(DemAlgorithm):
                 "OUTPUT",
                 tr("Summits in photos"),
                 text=tr(
-                    "One point per summit and photo in whose frame it lies, with name, distance (m) and place in the "
-                    "picture (px)."
+                    "One point for each photo and each summit in its frame, with name, distance (m) and "
+                    "position in the picture (px)."
                 ),
             )
         )
@@ -102,10 +103,10 @@ def peak_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("name", "text", tr("Summit")),
-        FieldSpec("height_m", "real", tr("Height as published, else of the DEM (m)")),
+        FieldSpec("height_m", "real", tr("Published height, otherwise height in the DEM (m)")),
         FieldSpec("dem_m", "real", tr("Height of the DEM's top (m)")),
         FieldSpec("moved_m", "real", tr("Moved to the DEM's top by (m)")),
-        FieldSpec("prominence", "real", tr("Prominence in the DEM (m), where summits were searched")),
+        FieldSpec("prominence", "real", tr("Prominence in the DEM (m), if summits were searched")),
         FieldSpec("state", "text", tr("visible, hidden, unknown")),
         FieldSpec("x_px", "real", tr("Column (px)")),
         FieldSpec("y_px", "real", tr("Row (px)")),

@@ -45,15 +45,17 @@ class MapToPixel(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and "
-                "outlines follow the terrain and are cut where they go behind it or out of the picture; each piece "
-                "says <b>visible</b>, <b>hidden</b>, <b>outside</b> or <b>unknown</b> (no elevation there). "
-                "Areas also tell which share of them is seen."
+                "Converts points, lines (such as a trail) and areas (such as a glacier's outline of 1900) to "
+                "image coordinates. Lines and outlines follow the terrain and are cut where they disappear "
+                "behind it or leave the picture. The state of each piece is <b>visible</b>, <b>hidden</b>, "
+                "<b>outside</b> or <b>unknown</b> (no elevation there). For areas, the visible share is "
+                "given as well."
             ),
             tr(
-                "The output's coordinates are those of the picture as QGIS shows it without georeference: x to the "
-                "right, y negative downwards from the upper left corner; load the photo beside it. The fields "
-                "<b>x_px</b> and <b>y_px</b> count from the centre of the first pixel, y down."
+                "The output has the coordinates of the picture as QGIS shows it without georeference: x to "
+                "the right, y negative downwards from the upper left corner. Load it together with the "
+                "photo. The fields <b>x_px</b> and <b>y_px</b> count from the centre of the first pixel, "
+                "with y downwards."
             ),
         ]
 
@@ -62,14 +64,23 @@ class MapToPixel(DemAlgorithm):
         features = QgsProcessingParameterFeatureSource(
             "FEATURES", tr("Map features"), [QgsProcessing.SourceType.TypeVectorAnyGeometry]
         )
-        text = tr("In any coordinate system. Heights are taken from the DEM unless Z is to be used.")
+        text = tr(
+            "Points, lines or areas in any coordinate system. Heights are taken from the DEM; Z values are ignored."
+        )
         self.addParameter(shared.explained(features, text))
         name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "FEATURES", optional=True)
         self.addParameter(shared.explained(name, tr("Written to the output and into the pictures.")))
         add_view_parameters(self)
-        above = shared.distance("HEIGHT_ABOVE", tr("Height above ground (m)"), 0.0, tr("Of what is to be seen."))
+        above = shared.distance(
+            "HEIGHT_ABOVE",
+            tr("Height above ground (m)"),
+            0.0,
+            tr("Height of points above the ground. Lines and areas lie on the ground."),
+        )
         self.addParameter(shared.advanced(above))
-        step = shared.number("STEP", tr("Step along lines (px)"), 2.0, tr("How finely lines are followed."), 0.1)
+        step = shared.number(
+            "STEP", tr("Step along lines (px)"), 2.0, tr("Lines are followed in steps of this length."), 0.1
+        )
         self.addParameter(shared.advanced(step))
         self.addParameter(
             shared.points_out(
@@ -77,8 +88,8 @@ class MapToPixel(DemAlgorithm):
                 tr("Points in pictures"),
                 optional=True,
                 text=tr(
-                    "Points in pixels of the upright picture, rows as negative y; state says whether the photo shows "
-                    "them."
+                    "Points in pixels of the upright picture, with negative y for rows. The field state "
+                    "tells whether the photo shows them."
                 ),
             )
         )
@@ -89,8 +100,8 @@ class MapToPixel(DemAlgorithm):
                 QgsProcessing.SourceType.TypeVectorLine,
                 optional=True,
                 text=tr(
-                    "Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out "
-                    "of sight."
+                    "Lines and outlines in pixels of the upright picture, with negative y for rows, cut "
+                    "where their visibility changes."
                 ),
             )
         )

@@ -76,10 +76,11 @@ class MeasureOffsets(SkylineAlgorithm):
                 "synthetic minus extracted: azimuth positive to the right, elevation positive upwards."
             ),
             tr(
-                "The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, "
-                "y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, "
-                "else from the photo file, by the published rule. The output has the means of the absolute offsets "
-                "per photograph; the means over all pairs are given as results."
+                "The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or "
+                "x1, y1, x2, y2). Picture size and fields of view are read from the fields width, height, "
+                "hfov and vfov if they exist, otherwise from the photo file by the published rule. The "
+                "output contains the means of the absolute offsets per photograph; the means over all pairs "
+                "are returned as results."
             ),
         ]
 
@@ -93,7 +94,9 @@ class MeasureOffsets(SkylineAlgorithm):
             field = QgsProcessingParameterField(
                 name, tr("Field {name}").format(name=candidates[0]), None, "INPUT", optional=True
             )
-            text = tr("Left empty: the first of {names} that the table has.").format(names=", ".join(candidates))
+            text = tr("If this is empty, the first of {names} that the table contains is used.").format(
+                names=", ".join(candidates)
+            )
             self.addParameter(shared.explained(shared.advanced(field), text))
         self.addParameter(
             shared.points_out(

@@ -52,15 +52,17 @@ class OrientPhotos(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Compares the skyline in each photograph with the horizon that the elevation model has at its "
-                "position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed."
+                "Compares the skyline in each photograph with the horizon computed from the elevation model "
+                "at its position, over all headings, and fits heading, pitch, roll and focal length. No "
+                "compass is needed."
             ),
             tr(
-                "<b>status</b>: <i>accepted</i> (trust it), <i>ambiguous</i> (another heading is nearly as good; see "
-                "heading_2 and the report), <i>rejected</i> (no usable skyline or nothing fits), <i>failed</i> (the "
-                "input is at fault); <b>message</b> says why and what to do. heading_lo and heading_hi enclose the "
-                "true heading with 90 %; of an accepted photo they do if its heading is the right one, and "
-                "<b>p_correct</b> says how sure that is."
+                "<b>status</b> is <i>accepted</i> (the answer can be trusted), <i>ambiguous</i> (another "
+                "heading fits nearly as well, or the fit is weak; see heading_2 and the report), "
+                "<i>rejected</i> (there is no usable skyline, or no heading fits) or <i>failed</i> (the "
+                "input cannot be used). <b>message</b> gives the reason and suggests what to do. heading_lo "
+                "and heading_hi enclose the true heading with a probability of 90 %. For an accepted photo "
+                "this holds if its heading is the right one; <b>p_correct</b> is the probability of that."
             ),
             tr(
                 "Headings count clockwise from true north. A point's geometry is the camera's position. For photos "

@@ -43,15 +43,16 @@ class Panorama(DemAlgorithm):
 
     def shortDescription(self):
         """One line."""
-        return tr("Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines")
+        return tr("Labelled horizon and inner ridges in all directions from a point, as SVG, PNG and map lines")
 
     def help_text(self):
         """Paragraphs of the help."""
         return [
             tr(
-                "Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark "
-                "and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo "
-                "points near by (optional) show their frames in place."
+                "For each point, draws the horizon and every inner ridge that hides ground behind it. Near "
+                "ridges are dark and thick, distant ones pale. Summits come from a layer, or are found in "
+                "the DEM by their prominence. Optionally, the frames of oriented photos near the point are "
+                "drawn."
             ),
             tr("The line layer holds the same ridges on the map, with distance and elevation angle."),
         ]
@@ -60,17 +61,26 @@ class Panorama(DemAlgorithm):
         """Declare parameters and outputs."""
         defaults = PanoramaOptions()
         points = QgsProcessingParameterFeatureSource("INPUT", tr("Points"), [QgsProcessing.SourceType.TypeVectorPoint])
-        self.addParameter(shared.explained(points, tr("Where the eye stands, in any coordinate system.")))
+        self.addParameter(shared.explained(points, tr("Positions of the observer's eye, in any coordinate system.")))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         add_summit_parameters(self)
         photos = shared.photo_source("PHOTOS", optional=True)
         photos.setDescription(tr("Oriented photo points"))
-        photos.setHelp(tr("Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov."))
+        photos.setHelp(
+            tr(
+                "The frames of photos within 100 m of a point are drawn, from the fields heading, pitch, roll, hfov "
+                "and vfov."
+            )
+        )
         self.addParameter(photos)
-        step = shared.number("AZIMUTH_STEP", tr("Azimuth step (°)"), defaults.step_deg, tr("Between rays."), 0.02, 5.0)
-        left = shared.number("LEFT", tr("Azimuth at the left edge (°)"), 0.0, tr("Where the strip begins."), 0.0, 360.0)
+        step = shared.number(
+            "AZIMUTH_STEP", tr("Azimuth step (°)"), defaults.step_deg, tr("Angle between neighbouring rays."), 0.02, 5.0
+        )
+        left = shared.number(
+            "LEFT", tr("Azimuth at the left edge (°)"), 0.0, tr("Azimuth at which the panorama begins."), 0.0, 360.0
+        )
         scale = shared.number("SCALE", tr("Pixels per degree"), 20.0, tr("Size of the drawing."), 2.0, 200.0)
         higher = shared.number("EXAGGERATION", tr("Exaggeration of heights"), 1.0, tr("1: true shape."), 0.1, 20.0)
         for parameter in (step, left, scale, higher, shared.eye_height(),

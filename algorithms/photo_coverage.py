@@ -50,9 +50,9 @@ class PhotoCoverage(DemAlgorithm):
                 "ground sampling distance among them in metres per pixel, across the line of sight."
             ),
             tr(
-                "The table tells how much each photograph sees, and which of them are needed: as few as possible "
-                "that together see all that the collection sees, in the order of what each adds (<b>pick</b>). "
-                "PROVEN is true where no smaller choice exists."
+                "The table gives how much each photograph shows, and which photographs are needed: as few as "
+                "possible that together show everything the collection shows, in the order of how much each "
+                "adds (<b>pick</b>). PROVEN is true if it was proven that no smaller selection exists."
             ),
         ]
 
@@ -63,7 +63,8 @@ class PhotoCoverage(DemAlgorithm):
             "AREA", tr("Area"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
         )
         text = tr(
-            "Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo."
+            "Only ground inside the area counts. If this is empty, all ground of the DEM within the maximum "
+            "distance of the photos counts."
         )
         self.addParameter(shared.explained(area, text))
         self.addParameter(
@@ -71,8 +72,8 @@ class PhotoCoverage(DemAlgorithm):
                 "OUTPUT",
                 tr("Number of photos"),
                 text=tr(
-                    "On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside "
-                    "the area."
+                    "Number of photographs that show each cell, on the DEM's grid. 0 is a blind spot; nodata "
+                    "is outside the area."
                 ),
             )
         )
@@ -92,7 +93,8 @@ class PhotoCoverage(DemAlgorithm):
                 QgsProcessing.SourceType.TypeVector,
                 optional=True,
                 text=tr(
-                    "One row per photograph: the ground that it sees, and in which order the needed ones add most."
+                    "One row per photograph with the ground that it shows and, if it is needed, its place in "
+                    "the selection."
                 ),
             )
         )
@@ -170,5 +172,7 @@ class PhotoCoverage(DemAlgorithm):
         found = [transformed(feature.geometry(), transform) for feature in source.getFeatures()]
         found = [geometry for geometry in found if geometry is not None]
         if not found:
-            raise QgsProcessingException(tr("The area is empty, or lies where the DEM's CRS does not reach."))
+            raise QgsProcessingException(
+                tr("The area is empty, or lies outside the region for which the DEM's CRS is valid.")
+            )
         return found

@@ -64,13 +64,14 @@ class PhotoViewshed(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation "
-                "model, and computes the ground that it shows. Choose a folder, or a layer of photo points."
+                "Reads geotagged photographs, finds the heading of each from its skyline and the elevation "
+                "model, and computes the ground that it shows. Choose a folder or a layer of photo points."
             ),
             tr(
-                "Open the report to judge each match: one card per photograph, with the horizon drawn over the "
-                "picture. Photographs whose heading is doubtful (status <i>ambiguous</i>) get no viewshed unless you "
-                "ask for it under Advanced; with the <i>paper</i> method, which does not test its answers, all get one."
+                "Open the report to check each match: it has one card per photograph, with the horizon drawn "
+                "over the picture. Photographs with a doubtful heading (status <i>ambiguous</i>) get no "
+                "viewshed unless you request it under Advanced. With the <i>paper</i> method, which does not "
+                "test its answers, all photographs get one."
             ),
             tr("Distances are ground metres and headings count from true north, whatever the coordinate systems."),
         ]
@@ -87,10 +88,10 @@ class PhotoViewshed(DemAlgorithm):
         )
         self.addParameter(shared.photo_source(optional=True))
         self.addParameter(shared.dem())
-        text = tr("How far from the camera ground is looked for that the photo shows, in ground metres.")
+        text = tr("Maximum viewshed distance from the camera, in metres on the ground.")
         self.addParameter(shared.max_distance(ViewshedOptions().max_distance_m, text))
         self.addParameter(shared.sector())
-        recursive = QgsProcessingParameterBoolean("RECURSIVE", tr("Folders inside the folder too"), False)
+        recursive = QgsProcessingParameterBoolean("RECURSIVE", tr("Include subfolders"), False)
         doubtful = QgsProcessingParameterBoolean("DOUBTFUL", tr("Viewsheds of doubtful photos too"), False)
         horizon_distance = shared.distance(
             "HORIZON_DISTANCE",
@@ -100,12 +101,14 @@ class PhotoViewshed(DemAlgorithm):
             minimum=100.0,
         )
         for parameter in (
-            shared.explained(recursive, tr("Look into all folders below as well.")),
+            shared.explained(recursive, tr("Also searches all subfolders.")),
             shared.photo_field(),
             shared.band(),
             shared.method(),
             shared.compass(),
-            shared.explained(doubtful, tr("Show the ground for the best heading even where another is as likely.")),
+            shared.explained(
+                doubtful, tr("Computes the ground for the best heading even if another heading is as likely.")
+            ),
             horizon_distance,
             shared.refraction(HorizonOptions().refraction_coefficient),
         ):
@@ -131,7 +134,7 @@ class PhotoViewshed(DemAlgorithm):
             shared.raster_out(
                 "VIEWSHED",
                 tr("Viewshed"),
-                text=tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+                text=tr("Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown."),
             )
         )
         self.addParameter(shared.report_out())

@@ -38,14 +38,16 @@ class PixelToMap(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Each pixel's line of sight is followed to the elevation model, with the earth's curvature and "
-                "refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them "
-                "jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in <b>status</b>."
+                "Follows the line of sight of each pixel to the elevation model, with the earth's curvature "
+                "and refraction. Lines and outlines are followed pixel by pixel and cut where the ground "
+                "behind them jumps. If a pixel shows the sky, or its line of sight enters a void of the DEM "
+                "or reaches its edge, the field <b>status</b> records this."
             ),
             tr(
-                "The error ellipse holds the true place with the chosen probability, given the uncertainty of "
-                "heading, pitch, roll, focal length, position and DEM. <b>p_other</b> is the probability that the "
-                "pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges."
+                "The error ellipse contains the true position with the chosen probability, given the "
+                "uncertainties of heading, pitch, roll, focal length, position and DEM. <b>p_other</b> is "
+                "the probability that the pixel shows different ground, beyond an edge in the picture. It is "
+                "often large near ridges."
             ),
         ]
 
@@ -54,11 +56,20 @@ class PixelToMap(DemAlgorithm):
         add_pixel_parameters(self)
         add_view_parameters(self, 60_000.0)
         coverage = shared.number(
-            "COVERAGE", tr("Probability that the ellipse holds (%)"), 90.0, tr("90 % is usual."), 1.0, 99.9
+            "COVERAGE",
+            tr("Probability of the error ellipse (%)"),
+            90.0,
+            tr("Probability that the ellipse contains the true position; 90 % is usual."),
+            1.0,
+            99.9,
         )
         self.addParameter(shared.advanced(coverage))
         step = shared.number(
-            "STEP", tr("Step along lines (px)"), 3.0, tr("Lines and outlines are followed in steps of this."), 0.1
+            "STEP",
+            tr("Step along lines (px)"),
+            3.0,
+            tr("Lines and outlines are followed in steps of this length."),
+            0.1,
         )
         self.addParameter(shared.advanced(step))
         add_uncertainty_parameters(self)
@@ -95,11 +106,11 @@ class PixelToMap(DemAlgorithm):
                 QgsProcessing.SourceType.TypeVectorPolygon,
                 optional=True,
                 create=False,
-                text=tr("One ellipse per point, which holds the true place with the chosen probability."),
+                text=tr("One ellipse per point, which contains the true position with the chosen probability."),
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of map features")))
-        self.addOutput(QgsProcessingOutputNumber("SKY_COUNT", tr("Number of features that meet no ground")))
+        self.addOutput(QgsProcessingOutputNumber("SKY_COUNT", tr("Number of features that show no ground")))
 
     def input_fault(self, parameters, context):
         """Check the DEM and that something was drawn."""

@@ -40,7 +40,7 @@ class SimulatePhotos(DemAlgorithm):
 
     def shortDescription(self):
         """One line."""
-        return tr("What would a photograph from here look like?")
+        return tr("Realistic photographs of the terrain from points with a heading")
 
     def help_text(self):
         """Paragraphs of the help."""
@@ -74,7 +74,11 @@ class SimulatePhotos(DemAlgorithm):
         self.addParameter(shared.advanced(shared.eye_height()))
         self.addParameter(
             shared.folder_out(
-                "FOLDER", tr("Folder of photographs"), tr("Where the pictures go."), optional=False, create=True
+                "FOLDER",
+                tr("Folder of photographs"),
+                tr("Folder in which the pictures are saved."),
+                optional=False,
+                create=True,
             )
         )
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
@@ -138,35 +142,25 @@ def scene_parameters():
         defaultValue=FOREGROUNDS.index(scene.foreground),
     )
     number, angle = shared.number, tr("Degrees.")
+    share = tr("Share of the picture's width that is covered, 0 to 1.")
+    line = tr("Elevation. If this is empty, it is derived from the relief in view.")
     return [
         number("SEED", tr("Seed"), scene.seed, tr("The same number gives the same picture."), 0, integer=True),
         shared.explained(clouds, tr("Weather of the scene.")),
-        number(
-            "CLOUD_SHARE",
-            tr("Share of clouds"),
-            scene.cloud_share,
-            tr("0 to 1: over how much of the width."),
-            0,
-            1,
-        ),
-        shared.explained(foreground, tr("What stands near the camera.")),
-        number(
-            "FOREGROUND_SHARE",
-            tr("Share of foreground"),
-            scene.foreground_share,
-            tr("0 to 1: over how much of the width."),
-            0,
-            1,
-        ),
+        number("CLOUD_SHARE", tr("Share of clouds"), scene.cloud_share, share, 0, 1),
+        shared.explained(foreground, tr("Objects near the camera.")),
+        number("FOREGROUND_SHARE", tr("Share of foreground"), scene.foreground_share, share, 0, 1),
         number("SUN_AZIMUTH", tr("Azimuth of the sun (°)"), scene.sun_azimuth_deg, angle, 0, 360),
         number("SUN_ELEVATION", tr("Elevation of the sun (°)"), scene.sun_elevation_deg, angle, -5, 90),
-        shared.distance("VISIBILITY", tr("Visual range (m)"), scene.visibility_m, tr("Haze; small is hazy."), 100),
+        shared.distance(
+            "VISIBILITY", tr("Visual range (m)"), scene.visibility_m, tr("Smaller values give more haze."), 100
+        ),
         shared.distance(
             "MAX_DISTANCE", tr("Maximum distance (m)"), scene.range_m, tr("Terrain beyond is left out."), 100
         ),
-        number("SNOW_LINE", tr("Snow line (m)"), None, tr("Elevation; empty: by the relief in view."), optional=True),
-        number("TREE_LINE", tr("Tree line (m)"), None, tr("Elevation; empty: by the relief in view."), optional=True),
-        number("NOISE", tr("Sensor noise"), scene.noise, tr("In 8-bit steps at mid-grey."), 0, 50),
+        number("SNOW_LINE", tr("Snow line (m)"), None, line, optional=True),
+        number("TREE_LINE", tr("Tree line (m)"), None, line, optional=True),
+        number("NOISE", tr("Sensor noise"), scene.noise, tr("Standard deviation at mid-grey, in 8-bit steps."), 0, 50),
     ]
 
 

@@ -47,14 +47,14 @@ class WhichPhotos(DemAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "For each point, line or area of the places layer: the photographs in whose frame it lies and that "
-                "see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture "
-                "it is. One row per place and photo, best photo of each place first (<b>rank</b> 1)."
+                "Finds the photographs that show each point, line or area of the places layer. One row per "
+                "place and photo gives the pixels per metre, the angle of incidence and the position in the "
+                "picture. The best photo of each place comes first (<b>rank</b> 1)."
             ),
             tr(
-                "<b>quality</b> = visible share x pixels per metre x cosine of the angle of incidence: pixels for a "
-                "metre of ground in the worse direction. <b>place_id</b> and <b>photo_id</b> are the features' ids, "
-                "ready for relations to both layers."
+                "<b>quality</b> = visible share x pixels per metre x cosine of the angle of incidence: the "
+                "pixels per metre of ground in the worse direction. <b>place_id</b> and <b>photo_id</b> are "
+                "the features' ids, which you can use for relations to both layers."
             ),
         ]
 
@@ -68,12 +68,15 @@ class WhichPhotos(DemAlgorithm):
         self.addParameter(shared.explained(name, tr("Copied to the table.")))
         add_view_parameters(self)
         above = shared.distance(
-            "HEIGHT_ABOVE", tr("Height above ground (m)"), 0.0, tr("Of what is looked for: a tower, a tree top.")
+            "HEIGHT_ABOVE",
+            tr("Height above ground (m)"),
+            0.0,
+            tr("Height of the target above the ground, for example of a tower or a tree top."),
         )
         self.addParameter(shared.advanced(above))
         least = shared.number(
             "MIN_SHARE",
-            tr("Least visible share (%)"),
+            tr("Minimum visible share (%)"),
             0.0,
             tr("Photos that show less of a place are left out."),
             0,
@@ -128,7 +131,9 @@ class WhichPhotos(DemAlgorithm):
                 name = feature[field] if field else None
                 places.append((feature.id(), None if is_null(name) else str(name), geometry))
         if not places:
-            raise QgsProcessingException(tr("The places layer is empty, or lies where the DEM's CRS does not reach."))
+            raise QgsProcessingException(
+                tr("The places layer is empty, or lies outside the region for which the DEM's CRS is valid.")
+            )
         return places
 
 

@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 TEXTS = (
     mark("Folder of photographs"),
-    mark("Folders inside it too"),
+    mark("Include subfolders"),
     mark("Elevation model (DEM)"),
     mark("Maximum distance (m)"),
     mark("Land-cover raster"),
@@ -26,8 +26,8 @@ TEXTS = (
     mark("Report"),
     mark("Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show."),
     mark(
-        "Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. "
-        "Phone compasses err by 5 to 10 degrees and more."
+        "Uses the headings that the cameras recorded, and computes the ground within the horizontal field of "
+        "view. Phone compasses are often wrong by 5 to 10 degrees or more."
     ),
     mark(
         "Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows."
@@ -40,12 +40,12 @@ def tooltips():
     """Tooltips of the models' inputs and outputs, by name, in the user's language."""
     return {
         "FOLDER": tr("JPEG and HEIC files with a GPS position."),
-        "RECURSIVE": tr("Look into all folders below as well."),
+        "RECURSIVE": tr("Also searches all subfolders."),
         "DEM": shared.dem().help(),
         "MAX_DISTANCE": shared.max_distance(1.0).help(),
-        "LANDCOVER": tr("Raster of classes, in any coordinate system of its own."),
+        "LANDCOVER": tr("Raster of classes, in any coordinate system."),
         "PHOTOS": tr("Points with heading, pitch, roll and field of view."),
-        "VIEWSHED": tr("On the DEM's grid: how many photographs see each cell; nodata where that is unknown."),
+        "VIEWSHED": tr("Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown."),
         "POLYGONS": tr("One multipolygon per photograph, with the area seen (m²) and the farthest distance (m)."),
         "LAND_COVER": tr("Ground in view, with the number of cells of each class in fields class_1, class_2, ..."),
         "REPORT": shared.report_out().help(),

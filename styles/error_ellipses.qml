@@ -149,7 +149,7 @@
   <aliases>
     <alias name="Photo" index="0" field="photo"/>
     <alias name="Label" index="1" field="label"/>
-    <alias name="Probability that it holds the true place" index="2" field="coverage"/>
+    <alias name="Probability that the ellipse contains the true position" index="2" field="coverage"/>
     <alias name="Error ellipse, major half axis (m)" index="3" field="err_major"/>
     <alias name="Error ellipse, minor half axis (m)" index="4" field="err_minor"/>
     <alias name="Direction of the major axis (° from true north)" index="5" field="err_azim"/>

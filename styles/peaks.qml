@@ -455,10 +455,10 @@
   <aliases>
     <alias name="Photo" index="0" field="photo"/>
     <alias name="Summit" index="1" field="name"/>
-    <alias name="Height as published, else of the DEM (m)" index="2" field="height_m"/>
+    <alias name="Published height, otherwise height in the DEM (m)" index="2" field="height_m"/>
     <alias name="Height of the DEM's top (m)" index="3" field="dem_m"/>
     <alias name="Moved to the DEM's top by (m)" index="4" field="moved_m"/>
-    <alias name="Prominence in the DEM (m), where summits were searched" index="5" field="prominence"/>
+    <alias name="Prominence in the DEM (m), if summits were searched" index="5" field="prominence"/>
     <alias name="visible, hidden, unknown" index="6" field="state"/>
     <alias name="Column (px)" index="7" field="x_px"/>
     <alias name="Row (px)" index="8" field="y_px"/>

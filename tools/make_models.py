@@ -54,7 +54,7 @@ def geotagged_photos():
     text = "Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show."
     model = new_model("geotaggedphotos", text)
     add_input(model, folder(), 0)
-    add_input(model, QgsProcessingParameterBoolean("RECURSIVE", "Folders inside it too", False), 1)
+    add_input(model, QgsProcessingParameterBoolean("RECURSIVE", "Include subfolders", False), 1)
     add_input(model, dem(), 2)
     add_input(model, distance(), 3)
     add_step(model, "import", "native:importphotos", {"FOLDER": given("FOLDER"), "RECURSIVE": given("RECURSIVE")}, 0)
@@ -80,12 +80,12 @@ def geotagged_photos():
 def compass_viewsheds():
     """Headings as recorded by the cameras, no solving."""
     text = (
-        "Takes the headings that the cameras recorded, and computes the ground within "
-        "the horizontal field of view. Phone compasses err by 5 to 10 degrees and more."
+        "Uses the headings that the cameras recorded, and computes the ground within the horizontal field of "
+        "view. Phone compasses are often wrong by 5 to 10 degrees or more."
     )
     model = new_model("compassviewsheds", text)
     add_input(model, folder(), 0)
-    add_input(model, QgsProcessingParameterBoolean("RECURSIVE", "Folders inside it too", False), 1)
+    add_input(model, QgsProcessingParameterBoolean("RECURSIVE", "Include subfolders", False), 1)
     add_input(model, dem(), 2)
     add_input(model, distance(), 3)
     add_step(

@@ -73,7 +73,9 @@ class ImageFeatures:
                 called = feature[name_field] if name_field else None
                 self._features.append((feature.id(), "" if is_null(called) else str(called), geometry))
         if not self._features:
-            raise QgsProcessingException(tr("The map features are empty, or lie where the DEM's CRS does not reach."))
+            raise QgsProcessingException(
+                tr("The map features are empty, or lie outside the region for which the DEM's CRS is valid.")
+            )
 
     def add(self, photo):
         """Project all features into one photo; gives named points and strokes for its picture."""

@@ -12,10 +12,11 @@ from .outputs import unused, write_whole
 def orientations_out(name="ORIENTATIONS"):
     """Folder for one file per photo."""
     text = tr(
-        "One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since "
-        "(photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was."
+        "One file per photo (about 2 MB), for this plugin only. A repeated run reuses each orientation for "
+        "which nothing has changed (photo, DEM, settings, version of the plugin), so a run that was stopped "
+        "continues where it stopped."
     )
-    return shared.advanced(shared.folder_out(name, tr("Folder that keeps orientations"), text))
+    return shared.advanced(shared.folder_out(name, tr("Folder for finished orientations"), text))
 
 
 class KeptOrientations:

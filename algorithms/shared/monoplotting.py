@@ -68,7 +68,7 @@ def ellipse_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("label", "text", tr("Label")),
-        FieldSpec("coverage", "real", tr("Probability that it holds the true place")),
+        FieldSpec("coverage", "real", tr("Probability that the ellipse contains the true position")),
         *error_specs(),
     ]
 

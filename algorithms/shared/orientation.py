@@ -30,7 +30,10 @@ def add_field_parameters(algorithm):
             shared.number_field(
                 "HFOV_FIELD",
                 tr("Field with the horizontal field of view (°)"),
-                tr("Of the upright picture, across its middle. NULL: from the focal length in the file."),
+                tr(
+                    "Field of view of the upright picture, across its middle. NULL: computed from the focal "
+                    "length in the file."
+                ),
             )
         )
     )
@@ -60,8 +63,9 @@ def add_altitude_parameter(algorithm):
     """Declare whether the recorded altitude is trusted."""
     parameter = QgsProcessingParameterBoolean("USE_ALTITUDE", tr("Camera at the recorded altitude"), False)
     text = tr(
-        "For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, "
-        "and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first."
+        "For towers, cable cars and drones: uses the altitude in the file, if it counts from sea level, "
+        "instead of the DEM plus camera height. A phone's altitude is often wrong by 10 to 50 m. The "
+        "elevation in the field with the camera's elevation takes precedence."
     )
     algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 
@@ -72,8 +76,8 @@ def oriented_out(name="OUTPUT"):
         name,
         tr("Oriented photos"),
         text=tr(
-            "One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure "
-            "they are, status and message."
+            "One point per photograph with all fields of the source, then heading, pitch, roll, field of "
+            "view, their uncertainty, status and message."
         ),
     )
 
@@ -159,7 +163,7 @@ def unforeseen(request, feedback):
     from ...core.base.model import Orientation, OrientedPhoto
 
     feedback.pushDebugInfo(traceback.format_exc())
-    text = tr("An unforeseen fault of the program stopped this photo. Please report it with the log's details.")
+    text = tr("An unexpected error occurred on this photo. Please report it and attach the log.")
     return OrientedPhoto(request.path, Orientation("failed", text))
 
 

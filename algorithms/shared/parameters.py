@@ -47,7 +47,8 @@ def photo_source(name="INPUT", optional=False):
         ),
         tr(
             "One point per photograph, in any coordinate system, for example from Import geotagged photos. "
-            "The point is the camera's position; a point without geometry takes the position in the photograph."
+            "The point is the camera's position. If a point has no geometry, the position recorded in the "
+            "photograph is used."
         ),
     )
 
@@ -82,8 +83,8 @@ def dem(name="DEM"):
     return explained(
         QgsProcessingParameterRasterLayer(name, tr("Elevation model (DEM)")),
         tr(
-            "Any raster with heights in metres and a coordinate system, projected or geographic. "
-            "It should reach as far as the mountains that are seen."
+            "Any raster with heights in metres and a coordinate system, projected or geographic. It should "
+            "extend to the mountains that are visible."
         ),
     )
 
@@ -98,7 +99,8 @@ def band(name="BAND", parent="DEM"):
 def horizon_distance_text():
     """Tooltip of the range in which a skyline is searched."""
     return tr(
-        "How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km."
+        "Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at "
+        "most 15 km."
     )
 
 
@@ -110,8 +112,9 @@ def method(name="METHOD", text=None):
         ),
         text
         or tr(
-            "Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of "
-            "skylines, for comparison; it takes no hint, landmark, drawn skyline or mask."
+            "Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the "
+            "published correlation of skylines, for comparison; it does not use hints, landmarks, drawn "
+            "skylines or masks."
         ),
     )
 
@@ -126,8 +129,9 @@ def compass(name="COMPASS"):
             defaultValue=COMPASS_USES.index("ignore"),
         ),
         tr(
-            "Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; "
-            "a clear skyline overrules it. The paper method knows no compass."
+            "Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough "
+            "for the usual errors of phones; a clear skyline overrules it. The paper method does not use "
+            "the compass."
         ),
     )
 
@@ -156,7 +160,7 @@ def eye_height(default=1.7):
         "EYE_HEIGHT",
         tr("Camera height above ground (m)"),
         default,
-        tr("Metres above the elevation model, where no absolute height is given."),
+        tr("Metres above the elevation model, used if no absolute elevation is given."),
     )
 
 
@@ -166,7 +170,7 @@ def max_distance(default, text=None):
         "MAX_DISTANCE",
         tr("Maximum distance (m)"),
         default,
-        text or tr("Ground metres from the camera. Nothing beyond is looked at."),
+        text or tr("Distance from the camera in metres on the ground. Terrain beyond is ignored."),
         minimum=1.0,
     )
 
@@ -178,8 +182,8 @@ def refraction(default):
         tr("Refraction coefficient"),
         default,
         tr(
-            "Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always "
-            "applied, but for the paper method's own search, which has the earth flat."
+            "Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself "
+            "is always applied, except in the paper method's own search, which assumes a flat earth."
         ),
         minimum=0.0,
         maximum=0.99,

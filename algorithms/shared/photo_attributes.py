@@ -23,7 +23,7 @@ def photos_in(folder, recursive):
     if not paths:
         raise QgsProcessingException(
             tr(
-                "No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it."
+                "No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders."
             ).format(folder=folder)
         )
     return paths

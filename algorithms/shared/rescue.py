@@ -26,7 +26,7 @@ def add_rescue_parameters(algorithm):
             shared.number_field(
                 "HEADING_HINT_FIELD",
                 tr("Field with an approximate heading (°)"),
-                tr("True heading, clockwise from north, that the answer must lie near. NULL: none."),
+                tr("Approximate true heading, clockwise from north. The answer must be near it. NULL: none."),
             )
         )
     )
@@ -35,7 +35,7 @@ def add_rescue_parameters(algorithm):
             shared.number_field(
                 "TOLERANCE_FIELD",
                 tr("Field with the tolerance of that heading (°)"),
-                tr("How far the heading may lie from the approximate one. NULL: 20 degrees."),
+                tr("How far the heading may differ from the approximate one. NULL: 20 degrees."),
             )
         )
     )
@@ -44,8 +44,9 @@ def add_rescue_parameters(algorithm):
             "LANDMARKS",
             tr("Landmarks"),
             tr(
-                "Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright "
-                "picture, the first at 0), optionally elevation (m). One is enough to tell the heading."
+                "Points on the map that are visible in photographs, with the fields photo, x and y (pixels "
+                "of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is "
+                "enough to determine the heading."
             ),
             [QgsProcessing.SourceType.TypeVectorPoint],
         )

@@ -23,8 +23,10 @@ PAUSE_S = 12 * 3600
 
 def figures_out(name="FIGURES"):
     """Folder for the figures."""
-    text = tr("PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, "
-              "where the points carry a timestamp, the way walked.")  # fmt: skip
+    text = tr(
+        "PNG files with three panels: the photograph, the heading and field of view on the DEM, and the viewshed "
+        "with the camera and, if the points have a timestamp, the path between the cameras."
+    )  # fmt: skip
     return shared.advanced(shared.folder_out(name, tr("Folder for one figure per photo"), text))
 
 

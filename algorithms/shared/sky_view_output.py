@@ -29,7 +29,7 @@ def add_sky_view_parameters(algorithm):
             "SKY_VIEW_DISTANCE",
             tr("Search range of the sky view raster (m)"),
             SkyViewOptions().max_distance_m,
-            tr("Terrain beyond is not looked at; far mountains take little of the sky."),
+            tr("Terrain beyond is ignored; distant mountains cover little of the sky."),
             minimum=1.0,
         ),
         shared.raster_out("SKY_VIEW", tr("Sky view factor"), optional=True, create=False, text=text),
@@ -43,14 +43,14 @@ def sky_view_fault(algorithm, parameters, context, source):
         return None
     dem = source.open()
     if window_of(algorithm, parameters, context, source, dem) is None:
-        return tr("The extent of the sky view raster does not meet the DEM. Choose another.")
+        return tr("The extent of the sky view raster does not overlap the DEM. Choose another.")
     middle = dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)
     cell_m = dem.frame(*map(float, middle), 1000.0).cell_m
     most_m = MARGIN_CELLS * cell_m
     if algorithm.parameterAsDouble(parameters, "SKY_VIEW_DISTANCE", context) > most_m:
-        return tr("The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.").format(
-            most=f"{most_m:.0f}", cell=f"{cell_m:.2g}"
-        )
+        return tr(
+            "The search range of the sky view raster can be at most {most} m on a DEM with cells of {cell} m."
+        ).format(most=f"{most_m:.0f}", cell=f"{cell_m:.2g}")
     return None
 
 

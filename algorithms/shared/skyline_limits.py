@@ -23,9 +23,9 @@ def add_table_parameters(algorithm):
         "SKYLINES", tr("Skylines of the photographs"), [QgsProcessing.SourceType.TypeVector], optional=True
     )
     text = tr(
-        "Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's "
-        "skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. "
-        "Columns with a confidence below 0.5 limit nothing. Needs the area photo frame."
+        "Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its "
+        "photo's skyline is hidden by something that is not in the DEM, such as trees or houses, and counts "
+        "as not seen. Columns with a confidence below 0.5 exclude nothing. Requires the area photo frame."
     )
     algorithm.addParameter(shared.advanced(shared.explained(table, text)))
     algorithm.addParameter(shared.advanced(tolerance()))
@@ -35,8 +35,8 @@ def add_own_parameters(algorithm):
     """Declare the choice to use the skyline that the orientation has found."""
     own = QgsProcessingParameterBoolean("OWN_SKYLINE", tr("Foreground hides ground"), False)
     text = tr(
-        "Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not "
-        "know, such as trees or houses, and is not claimed. Needs the area photo frame."
+        "Ground that would appear above the photograph's own skyline is hidden by something that is not in "
+        "the DEM, such as trees or houses, and counts as not seen. Requires the area photo frame."
     )
     algorithm.addParameter(shared.advanced(shared.explained(own, text)))
     algorithm.addParameter(shared.advanced(tolerance()))
@@ -48,7 +48,10 @@ def tolerance():
         "SKYLINE_TOLERANCE",
         tr("Tolerance above the skyline (°)"),
         TOLERANCE_DEG,
-        tr("So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading."),
+        tr(
+            "Ground up to this angle above the skyline still counts as seen, which allows for errors of the DEM "
+            "and the heading."
+        ),
         minimum=0.0,
         maximum=45.0,
     )
@@ -82,7 +85,9 @@ def with_table(algorithm, parameters, context, sights, feedback):
         same_name = by_name.get(Path(photo).name.lower(), [])
         key = photo if photo in lines else same_name[0] if len(same_name) == 1 else None
         if key is None:
-            warn(feedback, sight.name, tr("The table of skylines does not know this photo: nothing is cut off."))
+            warn(
+                feedback, sight.name, tr("The table of skylines does not contain this photo, so no ground is excluded.")
+            )
         limited.append(sight if key is None else with_line(sight, *lines[key], tolerance_deg))
     return limited
 

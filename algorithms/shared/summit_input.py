@@ -61,11 +61,15 @@ def add_summit_parameters(algorithm):
     height.setDataType(height.DataType.Any)
     algorithm.addParameter(height)
     least = shared.distance(
-        "MIN_PROMINENCE", tr("Least prominence (m)"), 150.0, tr("Of summits found in the DEM."), 1.0
+        "MIN_PROMINENCE",
+        tr("Minimum prominence (m)"),
+        150.0,
+        tr("Prominence of the summits that are found in the DEM."),
+        1.0,
     )
     algorithm.addParameter(shared.advanced(least))
     snap = shared.distance(
-        "SNAP", tr("Search radius around a published summit (m)"), SNAP_M, tr("0: take the place as published.")
+        "SNAP", tr("Search radius around a published summit (m)"), SNAP_M, tr("0: use the published position.")
     )
     algorithm.addParameter(shared.advanced(snap))
 

@@ -80,10 +80,10 @@ def add_view_parameters(algorithm, max_distance_m=30_000.0, photo_needed=True):
         "HEADING_FIELD": (tr("Field with the heading (°)"), tr("True, clockwise from north.")),
         "PITCH_FIELD": (tr("Field with the pitch (°)"), tr("Up is positive. NULL: 0.")),
         "ROLL_FIELD": (tr("Field with the roll (°)"), tr("Right side down is positive. NULL: 0.")),
-        "HFOV_FIELD": (tr("Field with the horizontal field of view (°)"), tr("Of the upright picture.")),
+        "HFOV_FIELD": (tr("Field with the horizontal field of view (°)"), tr("Field of view of the upright picture.")),
         "VFOV_FIELD": (
             tr("Field with the vertical field of view (°)"),
-            tr("Only used where the photograph itself is missing."),
+            tr("Only used if the photograph itself is missing."),
         ),
         "HEIGHT_FIELD": (
             tr("Field with the camera's elevation (m)"),
@@ -102,12 +102,14 @@ def add_uncertainty_parameters(algorithm):
     percent = 100 * default.focal_relative
     for name, label, value, text in (
         ("HEADING_SIGMA", tr("Uncertainty of the heading (°)"), default.heading_deg,
-         tr("Standard deviation, where the points carry no heading_lo and heading_hi.")),
+         tr("Standard deviation, used if the points have no heading_lo and heading_hi.")),
         ("PITCH_SIGMA", tr("Uncertainty of the pitch (°)"), default.pitch_deg, tr("Standard deviation.")),
         ("ROLL_SIGMA", tr("Uncertainty of the roll (°)"), default.roll_deg, tr("Standard deviation.")),
         ("FOCAL_SIGMA", tr("Uncertainty of the focal length (%)"), percent, tr("Standard deviation.")),
         ("POSITION_SIGMA", tr("Uncertainty of the position (m)"), default.position_m,
-         tr("Standard deviation of the camera's place, east and north each; replaced by a field h_acc.")),
+         tr(
+             "Standard deviation of the camera's position, in east and in north. A field h_acc takes precedence."
+         )),
         ("EYE_SIGMA", tr("Uncertainty of the camera's elevation (m)"), default.eye_m, tr("Standard deviation.")),
         ("DEM_SIGMA", tr("Vertical error of the DEM (m)"), default.dem_m, tr("Standard deviation.")),
     ):  # fmt: skip
@@ -174,7 +176,7 @@ def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m
             continue
         checkpoint(part, 0.0)
         if pixels and not sized:
-            text = tr("The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.")
+            text = tr("The picture's size is unknown, so a width of 4000 px is assumed.")
             warn(feedback, row.name, text)
         yield PhotoView(row.feature, row.name, row.path, view, observer, terrain, sized, part)
         checkpoint(part, 1.0)

@@ -26,24 +26,26 @@ def add_extra_parameters(algorithm):
             "MIN_AREA",
             tr("Smallest area (m²)"),
             0.0,
-            tr("Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all."),
+            tr("Smaller parts of a polygon are removed, and smaller holes are filled. 0 keeps everything."),
             minimum=0.0,
         ),
         shared.folder_out(
             "LAYERS",
             tr("Folder for layers per photo"),
             tr(
-                "One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the "
-                "line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is "
-                "known, column and row in the picture (px). Nodata outside the area and range."
+                "One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height "
+                "above the line of sight (m; if negative, a target must be this much higher to be visible) "
+                "and, if the pose is known, column and row in the picture (px). Nodata outside the area and "
+                "range."
             ),
         ),
         shared.folder_out(
             "PROBABILITIES",
             tr("Folder for probabilities per photo"),
             tr(
-                "One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors "
-                "below and the heading's interval. Needs the area photo frame; takes some five times as long."
+                "One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given "
+                "the errors below and the heading's interval. Requires the area photo frame, and takes about "
+                "five times as long."
             ),
         ),
     ]
@@ -67,7 +69,7 @@ def error_parameters():
             "DEM_ERROR",
             tr("Error of the DEM (m)"),
             usual.dem_m,
-            tr("Standard deviation of a cell's height above what stands before it, for probabilities."),
+            tr("Standard deviation of a cell's height relative to the terrain in front of it, for probabilities."),
         ),
         shared.number(
             "PITCH_ERROR",
@@ -81,7 +83,7 @@ def error_parameters():
             "ROLL_ERROR",
             tr("Error of the roll (°)"),
             usual.roll_deg,
-            tr("Standard deviation, for probabilities. It moves what lies far from the picture's middle."),
+            tr("Standard deviation, for probabilities. It mainly affects ground far from the picture's centre."),
             minimum=0.0,
             maximum=45.0,
         ),

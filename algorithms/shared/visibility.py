@@ -74,13 +74,13 @@ def add_range_parameters(algorithm, eye_height=True):
             "TARGET_HEIGHT",
             tr("Target height above ground (m)"),
             defaults.target_height_m,
-            tr("Height of what is looked at; 0 asks for the ground itself."),
+            tr("Height of the target; 0 means the ground itself."),
         ),
         shared.distance(
             "MIN_DISTANCE",
             tr("Minimum distance (m)"),
             defaults.min_distance_m,
-            tr("Ground nearer than this is not claimed as seen, but hides what lies behind it."),
+            tr("Ground nearer than this does not count as seen, but it still hides the terrain behind it."),
         ),
     ]
     for parameter in parameters:

@@ -143,8 +143,8 @@ class TestSkyView:
 
     def test_an_extent_beside_the_dem_and_an_endless_range_are_refused(self, refusal, ask):
         aside = {**ask, "SKY_VIEW_EXTENT": QgsRectangle(500_000, 500_000, 600_000, 600_000)}
-        assert "does not meet the DEM" in refusal("horizonprofile", aside)
-        assert "900000 m at most" in refusal("horizonprofile", {**ask, "SKY_VIEW_DISTANCE": 2_000_000})
+        assert "does not overlap the DEM" in refusal("horizonprofile", aside)
+        assert "at most 900000 m" in refusal("horizonprofile", {**ask, "SKY_VIEW_DISTANCE": 2_000_000})
         assert refusal("horizonprofile", {**aside, "SKY_VIEW": None}) == ""
 
     def test_cancelling_leaves_no_raster(self, run, ask, listener, tmp_path):
