@@ -14,8 +14,9 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>Auch Unterordner</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Include subfolders</source>
+        <translation>Unterordner einbeziehen</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -84,8 +85,8 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
-        <translation>Nimmt die Blickrichtungen, die die Kameras aufgezeichnet haben, und berechnet das Gelände innerhalb des horizontalen Bildwinkels. Kompasse von Telefonen irren um 5 bis 10 Grad und mehr.</translation>
+        <source>Uses the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses are often wrong by 5 to 10 degrees or more.</source>
+        <translation>Verwendet die Blickrichtungen, die die Kameras aufgezeichnet haben, und berechnet das Gelände innerhalb des horizontalen Bildwinkels. Kompasse von Telefonen liegen oft um 5 bis 10 Grad oder mehr daneben.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -102,13 +103,13 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Auch in allen Ordnern darunter suchen.</translation>
+        <source>Also searches all subfolders.</source>
+        <translation>Durchsucht auch alle Unterordner.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Raster of classes, in any coordinate system of its own.</source>
-        <translation>Raster mit Klassen, in einem beliebigen eigenen Koordinatensystem.</translation>
+        <source>Raster of classes, in any coordinate system.</source>
+        <translation>Raster mit Klassen, in einem beliebigen Koordinatensystem.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -119,8 +120,8 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
-        <translation>Auf dem Gitter des DGM: wie viele Fotos jede Zelle sehen; nodata, wo das unbekannt ist.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown.</source>
+        <translation>Anzahl der Fotos, die jede Zelle zeigen, auf dem Gitter des DGM; NoData, wenn sie unbekannt ist.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -211,23 +212,23 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
-        <translation>Beurteilt jede Zelle des Geländemodells in Reichweite: Ist sie zu sehen, und liegt sie im Bild? &lt;i&gt;Bildausschnitt&lt;/i&gt; verwendet Blickrichtung, Nick- und Rollwinkel und beide Bildwinkel; &lt;i&gt;Blicksektor&lt;/i&gt; nur Blickrichtung und horizontalen Bildwinkel; &lt;i&gt;Vollkreis&lt;/i&gt; nichts davon.</translation>
+        <source>Tests for every cell of the elevation model in range whether it is visible from the camera and lies inside the picture. &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; uses only the heading and the horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; uses none of them.</source>
+        <translation>Prüft für jede Zelle des Geländemodells in Reichweite, ob sie von der Kamera aus sichtbar ist und im Bild liegt. &lt;i&gt;Bildausschnitt&lt;/i&gt; verwendet Blickrichtung, Nick- und Rollwinkel und beide Bildwinkel; &lt;i&gt;Blicksektor&lt;/i&gt; verwendet nur die Blickrichtung und den horizontalen Bildwinkel; &lt;i&gt;Vollkreis&lt;/i&gt; verwendet nichts davon.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
-        <translation>Das Raster liegt auf dem Gitter des DGM und zählt die Fotos, die eine Zelle zeigen; NoData, wo das unbekannt ist. Die Polygone tragen die Fläche auf dem Ellipsoid (m²) und die größte Entfernung (m). Azimute sind geographisch, Entfernungen Meter am Boden, in jedem Koordinatensystem.</translation>
+        <source>The raster uses the DEM's grid and counts the photographs that show each cell; cells for which this is unknown are nodata. The polygons have the area on the ellipsoid (m²) and the farthest distance (m) as attributes. Azimuths count from true north and distances are ground metres, whatever the coordinate system.</source>
+        <translation>Das Raster verwendet das Gitter des DGM und zählt die Fotos, die jede Zelle zeigen; Zellen, für die das unbekannt ist, sind NoData. Die Polygone haben die Fläche auf dem Ellipsoid (m²) und die größte Entfernung (m) als Attribute. Azimute zählen ab geographisch Nord und Entfernungen sind Meter am Boden, in jedem Koordinatensystem.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
-        <translation>Unter Erweitert: Ebenen je Zelle (Entfernung, Höhenwinkel, wie viel höher ein Ziel sein muss, um gesehen zu werden, Ort im Bild), Wahrscheinlichkeiten, in die die Fehler von Ausrichtung, Position und DGM eingehen, und die Horizontlinien der Fotos selbst, deren Vordergrund Gelände verdeckt. Fotos von genau einem Ort werden gemeinsam berechnet.</translation>
+        <source>Advanced options: layers with values per cell (distance, elevation angle, how much higher a target must be to be visible, position in the picture), probabilities that account for the errors of pose, position and DEM, and the photographs' own skylines, which exclude ground that the foreground hides. Photographs from exactly the same place are computed together.</source>
+        <translation>Erweiterte Optionen: Layer mit Werten je Zelle (Entfernung, Höhenwinkel, wie viel höher ein Ziel sein muss, um sichtbar zu sein, Position im Bild), Wahrscheinlichkeiten, die die Fehler von Ausrichtung, Position und DGM berücksichtigen, und die Horizontlinien der Fotos selbst, die vom Vordergrund verdecktes Gelände ausschließen. Fotos von genau demselben Ort werden gemeinsam berechnet.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
-        <translation>Ein abgebrochener Lauf wird unverändert wiederholt: Was in den Ordnern der Raster, Ebenen und Wahrscheinlichkeiten fertig liegt, wird von dort genommen, sofern DGM, Ausrichtung und Einstellungen noch dieselben sind.</translation>
+        <source>To continue a run that was stopped, repeat it with the same parameters. Finished files in the folders of rasters, layers and probabilities are reused if the DEM, the pose and the settings have not changed.</source>
+        <translation>Um einen abgebrochenen Lauf fortzusetzen, wiederholen Sie ihn mit denselben Parametern. Fertige Dateien in den Ordnern der Raster, Layer und Wahrscheinlichkeiten werden wiederverwendet, wenn sich DGM, Ausrichtung und Einstellungen nicht geändert haben.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -304,8 +305,8 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Of the upright picture.</source>
-        <translation>Des aufrecht stehenden Bildes.</translation>
+        <source>Field of view of the upright picture.</source>
+        <translation>Bildwinkel des aufrecht stehenden Bildes.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -346,8 +347,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
-        <translation>Des 90-%-Intervalls, für Wahrscheinlichkeiten. NULL: eine Standardabweichung von 0,5° steht dafür.</translation>
+        <source>End of the 90 % interval, used for probabilities. NULL: a standard deviation of 0.5° is used instead.</source>
+        <translation>Ende des 90-%-Intervalls, für Wahrscheinlichkeiten verwendet. NULL: Stattdessen wird eine Standardabweichung von 0,5° verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -376,13 +377,13 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
-        <translation>Jede Zelle, die ein Foto zeigt, erhält die Farbe der Pixel, die sie zeigen; der Rest ist durchsichtig. Mehrere Fotos werden überblendet: Das mit der feineren Ansicht einer Zelle überwiegt, und jedes läuft zu seinen Rändern hin aus.</translation>
+        <source>Each cell that a photograph shows gets the colour of the pixels that show it; all other cells are transparent. If several photographs show a cell, their colours are blended: the photograph with the finest resolution there has the greatest weight, and each photograph fades out towards its edges.</source>
+        <translation>Jede Zelle, die ein Foto zeigt, erhält die Farbe der Pixel, die sie zeigen; alle anderen Zellen sind transparent. Zeigen mehrere Fotos eine Zelle, werden ihre Farben überblendet: Das Foto mit der dort feinsten Auflösung hat das größte Gewicht, und jedes Foto läuft zu seinen Rändern hin aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
-        <translation>Das zweite Raster gibt die Bodenauflösung des besten Fotos in Metern je Pixel: Kanal 1 quer zur Sichtlinie, Kanal 2 längs auf dem Hang; dieser Wert ist groß, wo der Blick das Gelände streift. Auch Bäume und Menschen im Bild werden auf das Gelände gelegt: Das DGM kennt sie nicht.</translation>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
+        <translation>Das zweite Raster gibt die Bodenauflösung des besten Fotos in Metern je Pixel: Kanal 1 quer zur Sichtlinie, Kanal 2 längs auf dem Hang; dieser Wert ist groß, wenn die Sichtlinie das Gelände streift. Auch Bäume und Menschen im Bild werden auf das Gelände gelegt, weil das DGM sie nicht enthält.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -457,18 +458,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
-        <translation>Schreibt eine Zeile je Bildspalte: &lt;b&gt;column&lt;/b&gt; und &lt;b&gt;row&lt;/b&gt; sind Pixel des vollen, aufrecht stehenden Bildes (das erste Pixel ist 0, row = erstes Geländepixel), &lt;b&gt;confidence&lt;/b&gt; reicht von 0 (keine glaubhafte Grenze, interpoliert) bis 1.</translation>
+        <source>Writes one row per picture column. &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel is 0; row is the first terrain pixel). &lt;b&gt;confidence&lt;/b&gt; ranges from 0 (no plausible boundary, interpolated) to 1.</source>
+        <translation>Schreibt eine Zeile je Bildspalte. &lt;b&gt;column&lt;/b&gt; und &lt;b&gt;row&lt;/b&gt; sind Pixel des vollen, aufrecht stehenden Bildes (das erste Pixel ist 0; row ist das erste Geländepixel). &lt;b&gt;confidence&lt;/b&gt; reicht von 0 (keine plausible Grenze, interpoliert) bis 1.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
-        <translation>Wo die automatische Horizontlinie falsch ist, berichtigen Sie die Tabelle von Hand und geben Sie sie &lt;i&gt;Fotos orientieren&lt;/i&gt; als &lt;i&gt;Gezeichnete Horizontlinien&lt;/i&gt;. Die Überlagerungen sind PNG-Bilder zur Beurteilung.</translation>
+        <source>If the automatic skyline is wrong, correct the table by hand and use it in &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt;. The overlays are PNG pictures for checking the skyline.</source>
+        <translation>Wenn die automatische Horizontlinie falsch ist, berichtigen Sie die Tabelle von Hand und verwenden Sie sie in &lt;i&gt;Fotos orientieren&lt;/i&gt; als &lt;i&gt;Gezeichnete Horizontlinien&lt;/i&gt;. Die Überlagerungen sind PNG-Bilder zum Prüfen der Horizontlinie.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
-        <translation>Robust: die im Ganzen wahrscheinlichste Linie, auch durch Dunst, Wolken und Rauschen. Aufsatz: die veröffentlichten Filter, Spalte für Spalte.</translation>
+        <source>Robust: finds the most likely line as a whole, even with haze, clouds and noise. Paper: uses the published filters, column by column.</source>
+        <translation>Robust: findet die im Ganzen wahrscheinlichste Linie, auch bei Dunst, Wolken und Rauschen. Aufsatz: verwendet die veröffentlichten Filter, Spalte für Spalte.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -547,18 +548,18 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
-        <translation>Für jeden Punkt und jedes Azimut: der Höhenwinkel des Horizonts, wie weit entfernt er ist und wo. Azimute sind geographisch, Entfernungen Meter am Boden in jedem Koordinatensystem des DGM; Erdkrümmung und Refraktion sind berücksichtigt.</translation>
+        <source>Computes the elevation angle, the distance and the position of the horizon for each point and azimuth. Azimuths count from true north and distances are ground metres in any coordinate system of the DEM. The earth's curvature and refraction are taken into account.</source>
+        <translation>Berechnet für jeden Punkt und jedes Azimut den Höhenwinkel, die Entfernung und die Position des Horizonts. Azimute zählen ab geographisch Nord und Entfernungen sind Meter am Boden in jedem Koordinatensystem des DGM. Erdkrümmung und Refraktion sind berücksichtigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
-        <translation>&lt;b&gt;clipped&lt;/b&gt; ist wahr, wo das Geländemodell vor der Suchweite endet und dahinter höheres Gelände stehen könnte. &lt;b&gt;svf&lt;/b&gt; ist der Himmelssichtfaktor des Ausgangspunkts (1 = freier Himmel).</translation>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true if the elevation model ends before the search range and there could be higher terrain beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; ist wahr, wenn das Geländemodell vor der Suchweite endet und dahinter höheres Gelände liegen könnte. &lt;b&gt;svf&lt;/b&gt; ist der Himmelssichtfaktor des Ausgangspunkts (1 = freier Himmel).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation>Unter Erweitert gibt es auch ein Raster der Himmelssichtfaktoren aller Zellen einer Ausdehnung, jeweils mit der eigenen Hangneigung (Dozier und Frew 1990).</translation>
+        <source>Under Advanced you can add a raster with the sky view factor of each cell in an extent, which takes the cell's own slope into account (Dozier and Frew 1990).</source>
+        <translation>Unter Erweitert können Sie ein Raster mit dem Himmelssichtfaktor jeder Zelle einer Ausdehnung hinzufügen, das die eigene Hangneigung der Zelle berücksichtigt (Dozier und Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -569,8 +570,8 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the eye stands, in any coordinate system.</source>
-        <translation>Wo das Auge steht, in jedem Koordinatensystem.</translation>
+        <source>Positions of the observer's eye, in any coordinate system.</source>
+        <translation>Positionen des Beobachterauges, in jedem Koordinatensystem.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -591,8 +592,8 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
-        <translation>Ein Punkt je Azimut, wo der Horizont steht, mit Höhenwinkel (°) und Entfernung (m).</translation>
+        <source>One point per azimuth at the position of the horizon, with elevation angle (°) and distance (m).</source>
+        <translation>Ein Punkt je Azimut an der Position des Horizonts, mit Höhenwinkel (°) und Entfernung (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -664,12 +665,12 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
-        <translation>Was eine Datei nicht sagt, bleibt NULL. Fotos ohne brauchbare Position und unlesbare Dateien kommen mit dem Grund in die optionale Tabelle der abgewiesenen Fotos.</translation>
+        <source>Values that a file does not contain are NULL. The optional table of rejected photographs lists photographs without a usable position and files that cannot be read, with the reason.</source>
+        <translation>Werte, die eine Datei nicht enthält, sind NULL. Die optionale Tabelle der abgewiesenen Fotos nennt Fotos ohne brauchbare Position und unlesbare Dateien, jeweils mit dem Grund.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>JPEG and HEIC files are read by content.</source>
+        <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>JPEG- und HEIC-Dateien werden am Inhalt erkannt.</translation>
     </message>
     <message>
@@ -684,8 +685,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Table of the files that give no point, each with the reason.</source>
-        <translation>Tabelle der Dateien, die keinen Punkt ergeben, jede mit dem Grund.</translation>
+        <source>Table of the files that produced no point, with the reason.</source>
+        <translation>Tabelle der Dateien, die keinen Punkt ergeben haben, mit dem Grund.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -719,18 +720,18 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
-        <translation>Welche Gipfel im Bild sind, ob sichtbar, wie weit und wo; beschriftete PNG und SVG</translation>
+        <source>Summits in the picture with visibility, distance and position; annotated PNG and SVG</source>
+        <translation>Gipfel im Bild mit Sichtbarkeit, Entfernung und Position; beschriftete PNG und SVG</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
-        <translation>Nimmt einen Punktlayer mit Namen und Höhen (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames) oder sucht Gipfel im Geländemodell nach ihrer Schartenhöhe. Jeder wird auf die nahe Kuppe des DGM gesetzt, denn veröffentlichte Orte und grobe DGM weichen um Hunderte Meter voneinander ab; dann wird gefragt, ob das Foto ihn zeigt.</translation>
+        <source>Uses a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each published summit is moved to the nearby top in the DEM, because published positions and coarse DEMs differ by hundreds of metres. Then its visibility in the photo is tested.</source>
+        <translation>Verwendet einen Punktlayer mit Namen und Höhen (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames) oder sucht Gipfel im Geländemodell nach ihrer Schartenhöhe. Jeder veröffentlichte Gipfel wird auf die nahe Kuppe im DGM verschoben, weil veröffentlichte Positionen und grobe DGM um Hunderte Meter voneinander abweichen. Danach wird geprüft, ob er im Foto sichtbar ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
-        <translation>Beschriftungen überlappen nie; der wichtigere Gipfel (nach Schartenhöhe, sonst nach der Höhe über den übrigen sichtbaren) erhält den besseren Platz. Was keinen Platz findet, fehlt im Bild, nicht im Layer.</translation>
+        <source>Labels never overlap. The more important summit (by prominence, otherwise by height above the others in view) gets the better place. Labels without room are left out of the picture; the layer contains all summits.</source>
+        <translation>Beschriftungen überlappen nie. Der wichtigere Gipfel (nach Schartenhöhe, sonst nach der Höhe über den übrigen sichtbaren) erhält den besseren Platz. Beschriftungen ohne Platz fehlen im Bild; der Layer enthält alle Gipfel.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -739,8 +740,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
-        <translation>Ein Punkt je Gipfel und Foto, in dessen Bild er liegt, mit Name, Entfernung (m) und Ort im Bild (px).</translation>
+        <source>One point for each photo and each summit in its frame, with name, distance (m) and position in the picture (px).</source>
+        <translation>Ein Punkt für jedes Foto und jeden Gipfel in dessen Bildausschnitt, mit Name, Entfernung (m) und Position im Bild (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -769,8 +770,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Height as published, else of the DEM (m)</source>
-        <translation>Veröffentlichte Höhe, sonst die des DGM (m)</translation>
+        <source>Published height, otherwise height in the DEM (m)</source>
+        <translation>Veröffentlichte Höhe, sonst Höhe im DGM (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -784,8 +785,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Prominence in the DEM (m), where summits were searched</source>
-        <translation>Schartenhöhe im DGM (m), wo Gipfel gesucht wurden</translation>
+        <source>Prominence in the DEM (m), if summits were searched</source>
+        <translation>Schartenhöhe im DGM (m), wenn Gipfel gesucht wurden</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -836,13 +837,13 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
-        <translation>Aus Punkten, Linien (einem Weg) und Flächen (dem Umriss eines Gletschers von 1900) werden Bildkoordinaten. Linien und Umrisse folgen dem Gelände und werden zerschnitten, wo sie dahinter oder aus dem Bild laufen; jedes Stück sagt &lt;b&gt;visible&lt;/b&gt; (sichtbar), &lt;b&gt;hidden&lt;/b&gt; (verdeckt), &lt;b&gt;outside&lt;/b&gt; (außerhalb) oder &lt;b&gt;unknown&lt;/b&gt; (dort keine Höhe). Flächen sagen auch, welcher Anteil zu sehen ist.</translation>
+        <source>Converts points, lines (such as a trail) and areas (such as a glacier's outline of 1900) to image coordinates. Lines and outlines follow the terrain and are cut where they disappear behind it or leave the picture. The state of each piece is &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). For areas, the visible share is given as well.</source>
+        <translation>Rechnet Punkte, Linien (etwa einen Weg) und Flächen (etwa den Umriss eines Gletschers von 1900) in Bildkoordinaten um. Linien und Umrisse folgen dem Gelände und werden zerschnitten, wo sie dahinter verschwinden oder das Bild verlassen. Der Zustand jedes Stücks ist &lt;b&gt;visible&lt;/b&gt; (sichtbar), &lt;b&gt;hidden&lt;/b&gt; (verdeckt), &lt;b&gt;outside&lt;/b&gt; (außerhalb) oder &lt;b&gt;unknown&lt;/b&gt; (dort keine Höhe). Für Flächen wird auch der sichtbare Anteil angegeben.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
-        <translation>Die Koordinaten der Ausgabe sind die des Bildes, wie QGIS es ohne Georeferenz zeigt: x nach rechts, y negativ nach unten von der oberen linken Ecke; laden Sie das Foto daneben. Die Felder &lt;b&gt;x_px&lt;/b&gt; und &lt;b&gt;y_px&lt;/b&gt; zählen von der Mitte des ersten Pixels, y nach unten.</translation>
+        <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
+        <translation>Die Ausgabe hat die Koordinaten des Bildes, wie QGIS es ohne Georeferenz zeigt: x nach rechts, y negativ nach unten von der oberen linken Ecke. Laden Sie sie zusammen mit dem Foto. Die Felder &lt;b&gt;x_px&lt;/b&gt; und &lt;b&gt;y_px&lt;/b&gt; zählen von der Mitte des ersten Pixels, y nach unten.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -851,8 +852,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
-        <translation>In jedem Koordinatensystem. Höhen kommen aus dem DGM, wenn nicht Z verwendet werden soll.</translation>
+        <source>Points, lines or areas in any coordinate system. Heights are taken from the DEM; Z values are ignored.</source>
+        <translation>Punkte, Linien oder Flächen in jedem Koordinatensystem. Höhen kommen aus dem DGM; Z-Werte werden ignoriert.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -874,8 +875,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Of what is to be seen.</source>
-        <translation>Dessen, was zu sehen sein soll.</translation>
+        <source>Height of points above the ground. Lines and areas lie on the ground.</source>
+        <translation>Höhe der Punkte über dem Boden. Linien und Flächen liegen auf dem Boden.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -885,8 +886,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>How finely lines are followed.</source>
-        <translation>Wie fein Linien verfolgt werden.</translation>
+        <source>Lines are followed in steps of this length.</source>
+        <translation>Linien werden in Schritten dieser Länge verfolgt.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -895,8 +896,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
-        <translation>Punkte in Pixeln des aufrechten Bildes, Zeilen als negatives y; state sagt, ob das Foto sie zeigt.</translation>
+        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
+        <translation>Punkte in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen. Das Feld state gibt an, ob das Foto sie zeigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -905,8 +906,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
-        <translation>Linien und Umrisse in Pixeln des aufrechten Bildes, Zeilen als negatives y, getrennt, wo sie außer Sicht geraten.</translation>
+        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
+        <translation>Linien und Umrisse in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen, getrennt, wo sich ihre Sichtbarkeit ändert.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -955,8 +956,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
-        <translation>Die Tabelle braucht die Felder photo, x_extracted, y_extracted, x_synthetic, y_synthetic (oder x1, y1, x2, y2). Bildgröße und Bildwinkel kommen aus den Feldern width, height, hfov, vfov, wo es sie gibt, sonst nach der veröffentlichten Regel aus der Fotodatei. Die Ausgabe enthält die Mittel der absoluten Abweichungen je Foto; die Mittel über alle Paare stehen in den Ergebnissen.</translation>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view are read from the fields width, height, hfov and vfov if they exist, otherwise from the photo file by the published rule. The output contains the means of the absolute offsets per photograph; the means over all pairs are returned as results.</source>
+        <translation>Die Tabelle braucht die Felder photo, x_extracted, y_extracted, x_synthetic, y_synthetic (oder x1, y1, x2, y2). Bildgröße und Bildwinkel werden aus den Feldern width, height, hfov und vfov gelesen, wenn es sie gibt, sonst nach der veröffentlichten Regel aus der Fotodatei. Die Ausgabe enthält die Mittel der absoluten Abweichungen je Foto; die Mittel über alle Paare werden als Ergebnisse zurückgegeben.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -975,8 +976,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>Left empty: the first of {names} that the table has.</source>
-        <translation>Leer: das erste von {names}, das die Tabelle hat.</translation>
+        <source>If this is empty, the first of {names} that the table contains is used.</source>
+        <translation>Wenn leer, wird das erste von {names} verwendet, das die Tabelle enthält.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1065,13 +1066,13 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
-        <translation>Vergleicht die Horizontlinie jedes Fotos mit dem Horizont, den das Geländemodell an seiner Position hat, über alle Blickrichtungen, und passt Blickrichtung, Nick- und Rollwinkel und Brennweite an. Ein Kompass ist nicht nötig.</translation>
+        <source>Compares the skyline in each photograph with the horizon computed from the elevation model at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Vergleicht die Horizontlinie jedes Fotos mit dem Horizont, der an seiner Position aus dem Geländemodell berechnet wird, über alle Blickrichtungen, und passt Blickrichtung, Nick- und Rollwinkel und Brennweite an. Ein Kompass ist nicht nötig.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (angenommen: verlässlich), &lt;i&gt;ambiguous&lt;/i&gt; (mehrdeutig: eine andere Blickrichtung passt fast ebenso gut; siehe heading_2 und den Bericht), &lt;i&gt;rejected&lt;/i&gt; (verworfen: keine brauchbare Horizontlinie, oder nichts passt), &lt;i&gt;failed&lt;/i&gt; (gescheitert: die Eingabe ist schuld); &lt;b&gt;message&lt;/b&gt; sagt, warum und was zu tun ist. heading_lo und heading_hi schließen die wahre Blickrichtung mit 90 % ein; bei einem angenommenen Foto dann, wenn seine Blickrichtung die richtige ist, und wie sicher das ist, sagt &lt;b&gt;p_correct&lt;/b&gt;.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the answer can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (another heading fits nearly as well, or the fit is weak; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (there is no usable skyline, or no heading fits) or &lt;i&gt;failed&lt;/i&gt; (the input cannot be used). &lt;b&gt;message&lt;/b&gt; gives the reason and suggests what to do. heading_lo and heading_hi enclose the true heading with a probability of 90 %. For an accepted photo this holds if its heading is the right one; &lt;b&gt;p_correct&lt;/b&gt; is the probability of that.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; ist &lt;i&gt;accepted&lt;/i&gt; (angenommen: die Antwort ist verlässlich), &lt;i&gt;ambiguous&lt;/i&gt; (mehrdeutig: eine andere Blickrichtung passt fast ebenso gut, oder die Anpassung ist schwach; siehe heading_2 und den Bericht), &lt;i&gt;rejected&lt;/i&gt; (verworfen: es gibt keine brauchbare Horizontlinie, oder keine Blickrichtung passt) oder &lt;i&gt;failed&lt;/i&gt; (gescheitert: die Eingabe ist nicht verwendbar). &lt;b&gt;message&lt;/b&gt; nennt den Grund und schlägt vor, was zu tun ist. heading_lo und heading_hi schließen die wahre Blickrichtung mit einer Wahrscheinlichkeit von 90 % ein. Bei einem angenommenen Foto gilt das, wenn seine Blickrichtung die richtige ist; &lt;b&gt;p_correct&lt;/b&gt; ist die Wahrscheinlichkeit dafür.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1096,13 +1097,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
-        <translation>Horizont und innere Grate rund um einen Punkt, beschriftet, als SVG und PNG und als Kartenlinien</translation>
+        <source>Labelled horizon and inner ridges in all directions from a point, as SVG, PNG and map lines</source>
+        <translation>Beschrifteter Horizont und innere Grate in allen Richtungen von einem Punkt aus, als SVG, PNG und Kartenlinien</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
-        <translation>Zeichnet für jeden Punkt den Horizont und jeden inneren Grat, der Gelände verdeckt; nahe dunkel und kräftig, ferne blass. Gipfel kommen aus einem Layer oder nach Schartenhöhe aus dem DGM. Orientierte Fotopunkte in der Nähe (optional) zeigen ihren Bildausschnitt an seinem Ort.</translation>
+        <source>For each point, draws the horizon and every inner ridge that hides ground behind it. Near ridges are dark and thick, distant ones pale. Summits come from a layer, or are found in the DEM by their prominence. Optionally, the frames of oriented photos near the point are drawn.</source>
+        <translation>Zeichnet für jeden Punkt den Horizont und jeden inneren Grat, der Gelände dahinter verdeckt. Nahe Grate sind dunkel und dick, ferne blass. Gipfel kommen aus einem Layer oder werden nach ihrer Schartenhöhe im DGM gesucht. Optional werden die Bildausschnitte orientierter Fotos in der Nähe des Punkts gezeichnet.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1111,13 +1112,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
-        <translation>Die im Umkreis von 100 m um einen Punkt zeigen ihren Bildausschnitt; Felder heading, pitch, roll, hfov, vfov.</translation>
+        <source>The frames of photos within 100 m of a point are drawn, from the fields heading, pitch, roll, hfov and vfov.</source>
+        <translation>Die Bildausschnitte von Fotos im Umkreis von 100 m um einen Punkt werden gezeichnet, nach den Feldern heading, pitch, roll, hfov und vfov.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Between rays.</source>
-        <translation>Zwischen Strahlen.</translation>
+        <source>Angle between neighbouring rays.</source>
+        <translation>Winkel zwischen benachbarten Strahlen.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1126,8 +1127,8 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the strip begins.</source>
-        <translation>Wo der Streifen beginnt.</translation>
+        <source>Azimuth at which the panorama begins.</source>
+        <translation>Azimut, bei dem das Panorama beginnt.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1221,8 +1222,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
-        <translation>Die Tabelle sagt, wie viel jedes Foto zeigt und welche nötig sind: so wenige wie möglich, die zusammen alles zeigen, was die Sammlung zeigt, in der Reihenfolge ihres Beitrags (&lt;b&gt;pick&lt;/b&gt;). PROVEN ist wahr, wo es keine kleinere Auswahl gibt.</translation>
+        <source>The table gives how much each photograph shows, and which photographs are needed: as few as possible that together show everything the collection shows, in the order of how much each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true if it was proven that no smaller selection exists.</source>
+        <translation>Die Tabelle gibt an, wie viel jedes Foto zeigt und welche Fotos nötig sind: so wenige wie möglich, die zusammen alles zeigen, was die Sammlung zeigt, in der Reihenfolge ihres Beitrags (&lt;b&gt;pick&lt;/b&gt;). PROVEN ist wahr, wenn bewiesen wurde, dass es keine kleinere Auswahl gibt.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1232,13 +1233,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
-        <translation>Nur das Gelände darin zählt. Leer: das ganze DGM, soweit es in Reichweite eines Fotos liegt.</translation>
+        <source>Only ground inside the area counts. If this is empty, all ground of the DEM within the maximum distance of the photos counts.</source>
+        <translation>Nur Gelände innerhalb des Gebiets zählt. Wenn leer, zählt alles Gelände des DGM innerhalb der größten Entfernung von den Fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
-        <translation>Auf dem Gitter des DGM: wie viele Fotos jede Zelle sehen; 0 ist ein blinder Fleck, nodata liegt außerhalb des Gebiets.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid. 0 is a blind spot; nodata is outside the area.</source>
+        <translation>Anzahl der Fotos, die jede Zelle zeigen, auf dem Gitter des DGM. 0 ist ein blinder Fleck; NoData liegt außerhalb des Gebiets.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1258,8 +1259,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
-        <translation>Eine Zeile je Foto: das Gelände, das es sieht, und in welcher Reihenfolge die nötigen am meisten hinzufügen.</translation>
+        <source>One row per photograph with the ground that it shows and, if it is needed, its place in the selection.</source>
+        <translation>Eine Zeile je Foto mit dem Gelände, das es zeigt, und, falls es nötig ist, seinem Platz in der Auswahl.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1288,8 +1289,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>Das Gebiet ist leer oder liegt, wohin das KBS des DGM nicht reicht.</translation>
+        <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>Das Gebiet ist leer oder liegt außerhalb des Bereichs, für den das KBS des DGM gültig ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1308,13 +1309,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
-        <translation>Liest georeferenzierte Fotos, findet aus Horizontlinie und Geländemodell, wohin jedes blickt, und berechnet das Gelände, das es zeigt. Wählen Sie einen Ordner oder einen Layer mit Fotopunkten.</translation>
+        <source>Reads geotagged photographs, finds the heading of each from its skyline and the elevation model, and computes the ground that it shows. Choose a folder or a layer of photo points.</source>
+        <translation>Liest georeferenzierte Fotos, findet die Blickrichtung jedes Fotos aus seiner Horizontlinie und dem Geländemodell und berechnet das Gelände, das es zeigt. Wählen Sie einen Ordner oder einen Layer mit Fotopunkten.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
-        <translation>Öffnen Sie den Bericht, um jede Zuordnung zu beurteilen: eine Karte je Foto, mit dem Horizont über dem Bild. Fotos mit zweifelhafter Blickrichtung (Status &lt;i&gt;ambiguous&lt;/i&gt;) erhalten kein Sichtfeld, wenn Sie es nicht unter Erweitert verlangen; beim Verfahren &lt;i&gt;Aufsatz&lt;/i&gt;, das seine Antworten nicht prüft, erhalten alle eines.</translation>
+        <source>Open the report to check each match: it has one card per photograph, with the horizon drawn over the picture. Photographs with a doubtful heading (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you request it under Advanced. With the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all photographs get one.</source>
+        <translation>Öffnen Sie den Bericht, um jede Zuordnung zu prüfen: Er enthält eine Karte je Foto, mit dem Horizont über dem Bild. Fotos mit zweifelhafter Blickrichtung (Status &lt;i&gt;ambiguous&lt;/i&gt;) erhalten kein Sichtfeld, wenn Sie es nicht unter Erweitert verlangen. Beim Verfahren &lt;i&gt;Aufsatz&lt;/i&gt;, das seine Antworten nicht prüft, erhalten alle Fotos eines.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1323,13 +1324,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
-        <translation>Wie weit von der Kamera nach Gelände gesucht wird, das das Foto zeigt, in Metern am Boden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Folders inside the folder too</source>
-        <translation>Auch Unterordner des Ordners</translation>
+        <source>Maximum viewshed distance from the camera, in metres on the ground.</source>
+        <translation>Größte Entfernung des Sichtfelds von der Kamera, in Metern am Boden.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1343,8 +1339,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Show the ground for the best heading even where another is as likely.</source>
-        <translation>Zeigt das Gelände der besten Blickrichtung, auch wo eine andere ebenso wahrscheinlich ist.</translation>
+        <source>Computes the ground for the best heading even if another heading is as likely.</source>
+        <translation>Berechnet das Gelände für die beste Blickrichtung, auch wenn eine andere ebenso wahrscheinlich ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1363,28 +1359,28 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
-        <translation>Die Sichtlinie jedes Pixels wird bis zum Geländemodell verfolgt, mit Erdkrümmung und Refraktion. Linien und Umrisse werden Pixel für Pixel verfolgt und zerschnitten, wo das Gelände dahinter springt. Pixel, die auf den Himmel, eine Lücke im DGM oder seinen Rand treffen, sagen es in &lt;b&gt;status&lt;/b&gt;.</translation>
+        <source>Follows the line of sight of each pixel to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. If a pixel shows the sky, or its line of sight enters a void of the DEM or reaches its edge, the field &lt;b&gt;status&lt;/b&gt; records this.</source>
+        <translation>Verfolgt die Sichtlinie jedes Pixels bis zum Geländemodell, mit Erdkrümmung und Refraktion. Linien und Umrisse werden Pixel für Pixel verfolgt und zerschnitten, wo das Gelände dahinter springt. Wenn ein Pixel den Himmel zeigt oder seine Sichtlinie in eine Lücke des DGM gerät oder dessen Rand erreicht, steht das im Feld &lt;b&gt;status&lt;/b&gt;.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
-        <translation>Die Fehlerellipse enthält den wahren Ort mit der gewählten Wahrscheinlichkeit, bei der Unsicherheit von Blickrichtung, Nick- und Rollwinkel, Brennweite, Position und DGM. &lt;b&gt;p_other&lt;/b&gt; ist die Wahrscheinlichkeit, dass das Pixel ganz anderes Gelände zeigt, jenseits einer Kante im Bild: Vorsicht nahe an Graten.</translation>
+        <source>The error ellipse contains the true position with the chosen probability, given the uncertainties of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows different ground, beyond an edge in the picture. It is often large near ridges.</source>
+        <translation>Die Fehlerellipse enthält die wahre Position mit der gewählten Wahrscheinlichkeit, bei den Unsicherheiten von Blickrichtung, Nick- und Rollwinkel, Brennweite, Position und DGM. &lt;b&gt;p_other&lt;/b&gt; ist die Wahrscheinlichkeit, dass das Pixel anderes Gelände zeigt, jenseits einer Kante im Bild. Sie ist nahe an Graten oft groß.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Probability that the ellipse holds (%)</source>
-        <translation>Wahrscheinlichkeit, die die Ellipse einschließt (%)</translation>
+        <source>Probability of the error ellipse (%)</source>
+        <translation>Wahrscheinlichkeit der Fehlerellipse (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>90 % is usual.</source>
-        <translation>Üblich sind 90 %.</translation>
+        <source>Probability that the ellipse contains the true position; 90 % is usual.</source>
+        <translation>Wahrscheinlichkeit, dass die Ellipse die wahre Position enthält; üblich sind 90 %.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Lines and outlines are followed in steps of this.</source>
-        <translation>Linien und Umrisse werden in Schritten dieser Größe verfolgt.</translation>
+        <source>Lines and outlines are followed in steps of this length.</source>
+        <translation>Linien und Umrisse werden in Schritten dieser Länge verfolgt.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1423,8 +1419,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
-        <translation>Eine Ellipse je Punkt, die den wahren Ort mit der gewählten Wahrscheinlichkeit enthält.</translation>
+        <source>One ellipse per point, which contains the true position with the chosen probability.</source>
+        <translation>Eine Ellipse je Punkt, die die wahre Position mit der gewählten Wahrscheinlichkeit enthält.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1433,8 +1429,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Number of features that meet no ground</source>
-        <translation>Anzahl der Objekte, die auf kein Gelände treffen</translation>
+        <source>Number of features that show no ground</source>
+        <translation>Anzahl der Objekte, die kein Gelände zeigen</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/core_sentences.py"/>
@@ -2095,18 +2091,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Die Kartenobjekte sind leer oder liegen, wohin das KBS des DGM nicht reicht.</translation>
+        <source>The map features are empty, or lie outside the region for which the DEM's CRS is valid.</source>
+        <translation>Die Kartenobjekte sind leer oder liegen außerhalb des Bereichs, für den das KBS des DGM gültig ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Eine Datei je Foto (etwa 2 MB), nur für diese Erweiterung. Ein wiederholter Lauf nimmt daraus, was sich seither nicht geändert hat (Foto, Geländemodell, Einstellungen, Version der Erweiterung), sodass ein abgebrochener Lauf dort weitermacht, wo er war.</translation>
+        <source>One file per photo (about 2 MB), for this plugin only. A repeated run reuses each orientation for which nothing has changed (photo, DEM, settings, version of the plugin), so a run that was stopped continues where it stopped.</source>
+        <translation>Eine Datei je Foto (etwa 2 MB), nur für diese Erweiterung. Ein wiederholter Lauf verwendet jede Orientierung wieder, für die sich nichts geändert hat (Foto, DGM, Einstellungen, Version der Erweiterung), sodass ein abgebrochener Lauf dort weitermacht, wo er abgebrochen wurde.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Ordner, der Orientierungen aufbewahrt</translation>
+        <source>Folder for finished orientations</source>
+        <translation>Ordner für fertige Orientierungen</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
@@ -2353,8 +2349,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Wahrscheinlichkeit, dass sie den wahren Ort enthält</translation>
+        <source>Probability that the ellipse contains the true position</source>
+        <translation>Wahrscheinlichkeit, dass die Ellipse die wahre Position enthält</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -2368,8 +2364,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>Des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
+        <translation>Bildwinkel des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2383,13 +2379,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Für Türme, Seilbahnen und Drohnen: das Auge steht auf der Höhe in der Datei, wo sie vom Meer zählt, und nicht auf dem DGM. Die Höhe eines Telefons ist oft um 10 bis 50 m falsch. Eine Kamerahöhe in einem Feld geht vor.</translation>
+        <source>For towers, cable cars and drones: uses the altitude in the file, if it counts from sea level, instead of the DEM plus camera height. A phone's altitude is often wrong by 10 to 50 m. The elevation in the field with the camera's elevation takes precedence.</source>
+        <translation>Für Türme, Seilbahnen und Drohnen: verwendet die Höhe in der Datei, wenn sie ab dem Meeresspiegel zählt, anstelle von DGM plus Kamerahöhe. Die Höhe eines Telefons ist oft um 10 bis 50 m falsch. Die Höhe im Feld mit der Höhe der Kamera hat Vorrang.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Ein Punkt je Foto: alle Felder der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, wie sicher sie sind, Status und Meldung.</translation>
+        <source>One point per photograph with all fields of the source, then heading, pitch, roll, field of view, their uncertainty, status and message.</source>
+        <translation>Ein Punkt je Foto mit allen Feldern der Quelle, dann Blickrichtung, Nickwinkel, Rollwinkel, Bildwinkel, deren Unsicherheit, Status und Meldung.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2403,8 +2399,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Ein unvorhergesehener Programmfehler hat dieses Foto gestoppt. Bitte melden Sie ihn mit den Angaben aus dem Protokoll.</translation>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2540,8 +2536,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Ein Punkt je Foto, in jedem Koordinatensystem, zum Beispiel aus „Geotaggte Fotos importieren“. Der Punkt ist der Standort der Kamera; ein Punkt ohne Geometrie nimmt die Position aus dem Foto.</translation>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position. If a point has no geometry, the position recorded in the photograph is used.</source>
+        <translation>Ein Punkt je Foto, in jedem Koordinatensystem, zum Beispiel aus „Geotaggte Fotos importieren“. Der Punkt ist der Standort der Kamera. Wenn ein Punkt keine Geometrie hat, wird die im Foto aufgezeichnete Position verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2555,8 +2551,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte so weit reichen wie die sichtbaren Berge.</translation>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should extend to the mountains that are visible.</source>
+        <translation>Jedes Raster mit Höhen in Metern und einem Koordinatensystem, projiziert oder geographisch. Es sollte bis zu den sichtbaren Bergen reichen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2570,8 +2566,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>Wie weit entfernt die Berge der Horizontlinie sein dürfen, in Metern am Boden; das Verfahren Aufsatz blickt nicht weiter als 15 km.</translation>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
+        <translation>Größte Entfernung der Berge auf der Horizontlinie, in Metern am Boden. Das Verfahren Aufsatz verwendet höchstens 15 km.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2590,8 +2586,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robust: genaue Geometrie der Kamera, alle Blickrichtungen, ein ehrlicher Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie nimmt keinen Hinweis, keine Landmarke, gezeichnete Linie oder Maske an.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robust: genaue Geometrie der Kamera, eine Suche über alle Blickrichtungen und ein Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie verwendet keine Hinweise, Landmarken, gezeichneten Horizontlinien oder Masken.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2610,8 +2606,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorieren: Der Kompass wird nur berichtet. Hinweis: eine weiche Annahme, weit genug für die Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz kennt keinen Kompass.</translation>
+        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
+        <translation>Ignorieren: Die Kompassrichtung wird nur berichtet. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz verwendet den Kompass nicht.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2620,13 +2616,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Meter über dem Geländemodell, wo keine absolute Höhe gegeben ist.</translation>
+        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
+        <translation>Meter über dem Geländemodell, verwendet, wenn keine absolute Höhe gegeben ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Meter am Boden von der Kamera aus. Dahinter wird nichts betrachtet.</translation>
+        <source>Distance from the camera in metres on the ground. Terrain beyond is ignored.</source>
+        <translation>Entfernung von der Kamera in Metern am Boden. Gelände dahinter wird ignoriert.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2635,8 +2631,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Anteil der Erdkrümmung, den die Luft zurückbiegt; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der Suche des Verfahrens Aufsatz, für das die Erde flach ist.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
+        <translation>Anteil der Erdkrümmung, den die Refraktion ausgleicht; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der eigenen Suche des Verfahrens Aufsatz, die eine flache Erde annimmt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2670,8 +2666,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>In {folder} liegt kein Foto (JPEG, HEIC). Wählen Sie einen anderen Ordner oder schließen Sie die Unterordner ein.</translation>
+        <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
+        <translation>In {folder} wurde kein Foto (JPEG, HEIC) gefunden. Wählen Sie einen anderen Ordner oder beziehen Sie seine Unterordner ein.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/picture_files.py"/>
@@ -2735,8 +2731,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
-        <translation>Geographische Blickrichtung, im Uhrzeigersinn von Nord, in deren Nähe die Antwort liegen muss. NULL: keine.</translation>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Ungefähre geographische Blickrichtung, im Uhrzeigersinn von Nord. Die Antwort muss in ihrer Nähe liegen. NULL: keine.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2745,7 +2741,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Wie weit die Blickrichtung von der ungefähren abweichen darf. NULL: 20 Grad.</translation>
     </message>
     <message>
@@ -2755,8 +2751,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
-        <translation>Punkte auf der Karte, die auf Fotos zu sehen sind: Felder photo, x und y (Pixel des aufrecht stehenden Bildes, das erste ist 0), optional elevation (m). Eine genügt, um die Blickrichtung zu bestimmen.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
+        <translation>Punkte auf der Karte, die auf Fotos zu sehen sind, mit den Feldern photo, x und y (Pixel des aufrecht stehenden Bildes; das erste Pixel ist 0) und optional elevation (m). Eine Landmarke genügt, um die Blickrichtung zu bestimmen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2790,8 +2786,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
-        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
-        <translation>PNGs mit drei Teilen: Foto, Blickrichtung und Bildwinkel auf dem DGM, Sichtfeld mit der Kamera und, wo die Punkte einen Zeitstempel tragen, dem gegangenen Weg.</translation>
+        <source>PNG files with three panels: the photograph, the heading and field of view on the DEM, and the viewshed with the camera and, if the points have a timestamp, the path between the cameras.</source>
+        <translation>PNG-Dateien mit drei Teilen: das Foto, die Blickrichtung und der Bildwinkel auf dem DGM und das Sichtfeld mit der Kamera und, wenn die Punkte einen Zeitstempel haben, dem Weg zwischen den Kameras.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
@@ -2820,8 +2816,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>Gelände dahinter wird nicht betrachtet; ferne Berge nehmen wenig vom Himmel.</translation>
+        <source>Terrain beyond is ignored; distant mountains cover little of the sky.</source>
+        <translation>Gelände dahinter wird ignoriert; ferne Berge verdecken wenig vom Himmel.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2831,13 +2827,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>Die Ausdehnung des Himmelssicht-Rasters trifft das DGM nicht. Wählen Sie eine andere.</translation>
+        <source>The extent of the sky view raster does not overlap the DEM. Choose another.</source>
+        <translation>Die Ausdehnung des Himmelssicht-Rasters überlappt das DGM nicht. Wählen Sie eine andere.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>Die Suchweite des Himmelssicht-Rasters darf bei einem DGM von {cell} m höchstens {most} m sein.</translation>
+        <source>The search range of the sky view raster can be at most {most} m on a DEM with cells of {cell} m.</source>
+        <translation>Die Suchweite des Himmelssicht-Rasters darf bei einem DGM mit Zellen von {cell} m höchstens {most} m betragen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2851,8 +2847,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Tabelle von Horizontlinie ausziehen (photo, column, row, confidence). Gelände, das über der Horizontlinie seines Fotos erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Spalten mit einer Sicherheit unter 0,5 begrenzen nichts. Braucht den Bereich Bildausschnitt.</translation>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Columns with a confidence below 0.5 exclude nothing. Requires the area photo frame.</source>
+        <translation>Tabelle von Horizontlinie ausziehen (photo, column, row, confidence). Gelände, das über der Horizontlinie seines Fotos erschiene, ist von etwas verdeckt, was nicht im DGM enthalten ist, etwa Bäumen oder Häusern, und gilt als nicht gesehen. Spalten mit einer Zuverlässigkeit unter 0,5 schließen nichts aus. Erfordert den Bereich Bildausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2861,8 +2857,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>Gelände, das über der Horizontlinie des Fotos selbst erschiene, ist von etwas verdeckt, was das DGM nicht kennt, etwa Bäumen oder Häusern, und gilt nicht als gesehen. Braucht den Bereich Bildausschnitt.</translation>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Requires the area photo frame.</source>
+        <translation>Gelände, das über der Horizontlinie des Fotos selbst erschiene, ist von etwas verdeckt, was nicht im DGM enthalten ist, etwa Bäumen oder Häusern, und gilt als nicht gesehen. Erfordert den Bereich Bildausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2871,8 +2867,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>So weit über der Horizontlinie darf Gelände erscheinen und gilt doch als gesehen: Fehler des DGM und der Ausrichtung.</translation>
+        <source>Ground up to this angle above the skyline still counts as seen, which allows for errors of the DEM and the heading.</source>
+        <translation>Gelände bis zu diesem Winkel über der Horizontlinie gilt noch als gesehen; das berücksichtigt Fehler des DGM und der Blickrichtung.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2881,8 +2877,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>Die Tabelle der Horizontlinien kennt dieses Foto nicht: Es wird nichts abgeschnitten.</translation>
+        <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
+        <translation>Die Tabelle der Horizontlinien enthält dieses Foto nicht, daher wird kein Gelände ausgeschlossen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2911,13 +2907,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Least prominence (m)</source>
+        <source>Minimum prominence (m)</source>
         <translation>Kleinste Schartenhöhe (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>Von Gipfeln, die im DGM gefunden werden.</translation>
+        <source>Prominence of the summits that are found in the DEM.</source>
+        <translation>Schartenhöhe der Gipfel, die im DGM gefunden werden.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2926,8 +2922,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0: den Ort nehmen, wie er veröffentlicht ist.</translation>
+        <source>0: use the published position.</source>
+        <translation>0: die veröffentlichte Position verwenden.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2947,8 +2943,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Nur verwendet, wo das Foto selbst fehlt.</translation>
+        <source>Only used if the photograph itself is missing.</source>
+        <translation>Nur verwendet, wenn das Foto selbst fehlt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2962,8 +2958,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Standardabweichung, wo die Punkte kein heading_lo und heading_hi tragen.</translation>
+        <source>Standard deviation, used if the points have no heading_lo and heading_hi.</source>
+        <translation>Standardabweichung, verwendet, wenn die Punkte kein heading_lo und heading_hi haben.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2992,8 +2988,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Standardabweichung des Kamerastandorts, je nach Ost und Nord; ein Feld h_acc tritt an ihre Stelle.</translation>
+        <source>Standard deviation of the camera's position, in east and in north. A field h_acc takes precedence.</source>
+        <translation>Standardabweichung des Kamerastandorts, je in Ost- und in Nordrichtung. Ein Feld h_acc hat Vorrang.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3007,8 +3003,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>Die Größe des Bildes ist unbekannt: Seine Pixel gelten für ein 4000 Pixel breites Bild.</translation>
+        <source>The picture's size is unknown, so a width of 4000 px is assumed.</source>
+        <translation>Die Größe des Bildes ist unbekannt, daher wird eine Breite von 4000 px angenommen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3027,8 +3023,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Kleinere Teile eines Polygons entfallen, kleinere Löcher werden gefüllt. 0 behält alles.</translation>
+        <source>Smaller parts of a polygon are removed, and smaller holes are filled. 0 keeps everything.</source>
+        <translation>Kleinere Teile eines Polygons werden entfernt, kleinere Löcher gefüllt. 0 behält alles.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3037,8 +3033,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Je Foto ein Gleitkomma-GeoTIFF mit benannten Bändern: Entfernung (m), Höhenwinkel (°), Höhe über der Sichtlinie (m; negativ: so viel höher muss ein Ziel sein, um gesehen zu werden) und, wo die Ausrichtung bekannt ist, Spalte und Zeile im Bild (px). Keine Daten außerhalb von Bereich und Reichweite.</translation>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; if negative, a target must be this much higher to be visible) and, if the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Je Foto ein Gleitkomma-GeoTIFF mit benannten Kanälen: Entfernung (m), Höhenwinkel (°), Höhe über der Sichtlinie (m; wenn negativ, muss ein Ziel um so viel höher sein, um sichtbar zu sein) und, wenn die Ausrichtung bekannt ist, Spalte und Zeile im Bild (px). NoData außerhalb von Bereich und Reichweite.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3047,8 +3043,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Je Foto ein GeoTIFF: wie wahrscheinlich das Bild eine Zelle zeigt (0 bis 1), bei den Fehlern unten und dem Intervall der Blickrichtung. Braucht den Bereich Bildausschnitt; dauert etwa fünfmal so lange.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Je Foto ein GeoTIFF mit der Wahrscheinlichkeit (0 bis 1), dass das Bild eine Zelle zeigt, bei den Fehlern unten und dem Intervall der Blickrichtung. Erfordert den Bereich Bildausschnitt und dauert etwa fünfmal so lange.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3067,8 +3063,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Standardabweichung der Höhe einer Zelle über dem, was davor steht, für Wahrscheinlichkeiten.</translation>
+        <source>Standard deviation of a cell's height relative to the terrain in front of it, for probabilities.</source>
+        <translation>Standardabweichung der Höhe einer Zelle gegenüber dem Gelände davor, für Wahrscheinlichkeiten.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3087,8 +3083,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Standardabweichung, für Wahrscheinlichkeiten. Er verschiebt, was weit von der Bildmitte liegt.</translation>
+        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Sie wirkt sich vor allem auf Gelände weit von der Bildmitte aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3183,13 +3179,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Höhe dessen, was betrachtet wird; 0 fragt nach dem Boden selbst.</translation>
+        <source>Height of the target; 0 means the ground itself.</source>
+        <translation>Höhe des Ziels; 0 bedeutet den Boden selbst.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>Näheres Gelände gilt nicht als sichtbar, verdeckt aber, was dahinter liegt.</translation>
+        <source>Ground nearer than this does not count as seen, but it still hides the terrain behind it.</source>
+        <translation>Näheres Gelände gilt nicht als gesehen, verdeckt aber dennoch das Gelände dahinter.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3234,8 +3230,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>What would a photograph from here look like?</source>
-        <translation>Wie sähe ein Foto von hier aus?</translation>
+        <source>Realistic photographs of the terrain from points with a heading</source>
+        <translation>Realistische Fotos des Geländes von Punkten mit einer Blickrichtung aus</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3279,8 +3275,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Where the pictures go.</source>
-        <translation>Wohin die Bilder kommen.</translation>
+        <source>Folder in which the pictures are saved.</source>
+        <translation>Ordner, in dem die Bilder gespeichert werden.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3339,6 +3335,16 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of the picture's width that is covered, 0 to 1.</source>
+        <translation>Anteil der Bildbreite, der bedeckt ist, 0 bis 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation. If this is empty, it is derived from the relief in view.</source>
+        <translation>Höhe. Wenn leer, wird sie aus dem sichtbaren Relief abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
         <source>Seed</source>
         <translation>Startwert</translation>
     </message>
@@ -3359,13 +3365,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1: over how much of the width.</source>
-        <translation>0 bis 1: über wie viel der Breite.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>What stands near the camera.</source>
-        <translation>Was nahe bei der Kamera steht.</translation>
+        <source>Objects near the camera.</source>
+        <translation>Objekte nahe bei der Kamera.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3389,8 +3390,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Haze; small is hazy.</source>
-        <translation>Dunst; klein heißt dunstig.</translation>
+        <source>Smaller values give more haze.</source>
+        <translation>Kleinere Werte ergeben mehr Dunst.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3404,11 +3405,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Elevation; empty: by the relief in view.</source>
-        <translation>Höhe; leer: nach dem sichtbaren Relief.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>Tree line (m)</source>
         <translation>Waldgrenze (m)</translation>
     </message>
@@ -3419,8 +3415,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>In 8-bit steps at mid-grey.</source>
-        <translation>In 8-Bit-Stufen bei mittlerem Grau.</translation>
+        <source>Standard deviation at mid-grey, in 8-bit steps.</source>
+        <translation>Standardabweichung bei mittlerem Grau, in 8-Bit-Stufen.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3439,13 +3435,13 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
-        <translation>Für jeden Punkt, jede Linie oder Fläche des Ortslayers: die Fotos, in deren Ausschnitt der Ort liegt und die ihn zeigen, wie viele Pixel ein Meter davon erhält, wie senkrecht der Blick auftrifft und wo im Bild er ist. Eine Zeile je Ort und Foto, das beste Foto jedes Orts zuerst (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+        <source>Finds the photographs that show each point, line or area of the places layer. One row per place and photo gives the pixels per metre, the angle of incidence and the position in the picture. The best photo of each place comes first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Findet die Fotos, die jeden Punkt, jede Linie oder Fläche des Ortslayers zeigen. Eine Zeile je Ort und Foto gibt die Pixel je Meter, den Einfallswinkel und die Position im Bild an. Das beste Foto jedes Orts kommt zuerst (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
-        <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: Pixel für einen Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, bereit für Beziehungen zu beiden Layern.</translation>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: die Pixel je Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, die Sie für Beziehungen zu beiden Layern verwenden können.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3464,12 +3460,12 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Of what is looked for: a tower, a tree top.</source>
-        <translation>Dessen, was gesucht wird: ein Turm, eine Baumkrone.</translation>
+        <source>Height of the target above the ground, for example of a tower or a tree top.</source>
+        <translation>Höhe des Ziels über dem Boden, zum Beispiel eines Turms oder einer Baumkrone.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Least visible share (%)</source>
+        <source>Minimum visible share (%)</source>
         <translation>Kleinster sichtbarer Anteil (%)</translation>
     </message>
     <message>
@@ -3499,8 +3495,8 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>Der Ortslayer ist leer oder liegt, wohin das KBS des DGM nicht reicht.</translation>
+        <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>Der Ortslayer ist leer oder liegt außerhalb des Bereichs, für den das KBS des DGM gültig ist.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>

@@ -14,8 +14,9 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>También las subcarpetas</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Include subfolders</source>
+        <translation>Incluir subcarpetas</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -84,8 +85,8 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
-        <translation>Toma los rumbos que registraron las cámaras y calcula el terreno dentro del ángulo de visión horizontal. Las brújulas de los teléfonos yerran de 5 a 10 grados y más.</translation>
+        <source>Uses the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses are often wrong by 5 to 10 degrees or more.</source>
+        <translation>Usa los rumbos que registraron las cámaras y calcula el terreno dentro del ángulo de visión horizontal. Las brújulas de los teléfonos suelen errar entre 5 y 10 grados o más.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -102,13 +103,13 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Buscar también en todas las carpetas de su interior.</translation>
+        <source>Also searches all subfolders.</source>
+        <translation>Busca también en todas las subcarpetas.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Raster of classes, in any coordinate system of its own.</source>
-        <translation>Ráster de clases, en cualquier sistema de coordenadas propio.</translation>
+        <source>Raster of classes, in any coordinate system.</source>
+        <translation>Ráster de clases, en cualquier sistema de coordenadas.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -119,8 +120,8 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
-        <translation>En la cuadrícula del MDE: cuántas fotografías ven cada celda; nodata donde no se sabe.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown.</source>
+        <translation>Número de fotografías que muestran cada celda, en la cuadrícula del MDE; sin datos si se desconoce.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -211,23 +212,23 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
-        <translation>Examina cada celda del modelo digital de elevaciones a su alcance: ¿se ve y está dentro de la imagen? &lt;i&gt;Encuadre de la foto&lt;/i&gt; usa rumbo, cabeceo, alabeo y ambos ángulos de visión; &lt;i&gt;sector de visión&lt;/i&gt;, solo el rumbo y el ángulo de visión horizontal; &lt;i&gt;círculo completo&lt;/i&gt;, nada de ello.</translation>
+        <source>Tests for every cell of the elevation model in range whether it is visible from the camera and lies inside the picture. &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; uses only the heading and the horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; uses none of them.</source>
+        <translation>Comprueba, para cada celda del modelo digital de elevaciones a su alcance, si es visible desde la cámara y está dentro de la imagen. &lt;i&gt;Encuadre de la foto&lt;/i&gt; usa rumbo, cabeceo, alabeo y ambos ángulos de visión; &lt;i&gt;sector de visión&lt;/i&gt; usa solo el rumbo y el ángulo de visión horizontal; &lt;i&gt;círculo completo&lt;/i&gt; no usa ninguno de ellos.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
-        <translation>El ráster sigue la malla del MDE y cuenta las fotografías que ven una celda; sin datos donde no se sabe. Los polígonos llevan el área sobre el elipsoide (m²) y la mayor distancia (m). Los acimutes son geográficos y las distancias, metros sobre el terreno, sea cual sea el sistema de coordenadas.</translation>
+        <source>The raster uses the DEM's grid and counts the photographs that show each cell; cells for which this is unknown are nodata. The polygons have the area on the ellipsoid (m²) and the farthest distance (m) as attributes. Azimuths count from true north and distances are ground metres, whatever the coordinate system.</source>
+        <translation>El ráster usa la cuadrícula del MDE y cuenta las fotografías que muestran cada celda; las celdas en las que se desconoce quedan sin datos. Los polígonos tienen como atributos el área sobre el elipsoide (m²) y la mayor distancia (m). Los acimutes se cuentan desde el norte geográfico y las distancias son metros sobre el terreno, sea cual sea el sistema de coordenadas.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
-        <translation>En Avanzado: capas por celda (distancia, ángulo de elevación, cuánto más alto debe ser un objetivo para verse, lugar en la imagen), probabilidades que incluyen los errores de orientación, posición y MDE, y las líneas del horizonte de las propias fotos, cuyo primer plano oculta terreno. Las fotos de exactamente un mismo lugar se calculan juntas.</translation>
+        <source>Advanced options: layers with values per cell (distance, elevation angle, how much higher a target must be to be visible, position in the picture), probabilities that account for the errors of pose, position and DEM, and the photographs' own skylines, which exclude ground that the foreground hides. Photographs from exactly the same place are computed together.</source>
+        <translation>Opciones avanzadas: capas con valores por celda (distancia, ángulo de elevación, cuánto más alto debe ser un objetivo para ser visible, posición en la imagen), probabilidades que tienen en cuenta los errores de orientación, posición y MDE, y las líneas del horizonte de las propias fotos, que excluyen el terreno que oculta el primer plano. Las fotos de exactamente un mismo lugar se calculan juntas.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
-        <translation>Una ejecución interrumpida se repite tal cual: lo que esté terminado en las carpetas de ráster, capas y probabilidades se toma de allí si el MDE, la orientación y los ajustes siguen siendo los mismos.</translation>
+        <source>To continue a run that was stopped, repeat it with the same parameters. Finished files in the folders of rasters, layers and probabilities are reused if the DEM, the pose and the settings have not changed.</source>
+        <translation>Para continuar una ejecución interrumpida, repítala con los mismos parámetros. Los archivos terminados en las carpetas de ráster, capas y probabilidades se reutilizan si el MDE, la orientación y los ajustes no han cambiado.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -304,8 +305,8 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Of the upright picture.</source>
-        <translation>De la imagen enderezada.</translation>
+        <source>Field of view of the upright picture.</source>
+        <translation>Ángulo de visión de la imagen enderezada.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -346,8 +347,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
-        <translation>Del intervalo del 90 %, para las probabilidades. NULL: una desviación típica de 0,5° lo sustituye.</translation>
+        <source>End of the 90 % interval, used for probabilities. NULL: a standard deviation of 0.5° is used instead.</source>
+        <translation>Extremo del intervalo del 90 %, usado para las probabilidades. NULL: en su lugar se usa una desviación típica de 0,5°.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -376,13 +377,13 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
-        <translation>Cada celda que ve una fotografía toma el color de los píxeles que la muestran; el resto es transparente. Varias fotografías se funden: prevalece la que ve la celda con más detalle, y cada una se desvanece hacia sus bordes.</translation>
+        <source>Each cell that a photograph shows gets the colour of the pixels that show it; all other cells are transparent. If several photographs show a cell, their colours are blended: the photograph with the finest resolution there has the greatest weight, and each photograph fades out towards its edges.</source>
+        <translation>Cada celda que muestra una fotografía toma el color de los píxeles que la muestran; todas las demás celdas son transparentes. Si varias fotografías muestran una celda, sus colores se funden: la fotografía con la resolución más fina en ese lugar tiene el mayor peso, y cada una se desvanece hacia sus bordes.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
-        <translation>El segundo ráster da la resolución sobre el terreno de la mejor foto en metros por píxel: banda 1 transversal a la línea de visión, banda 2 a lo largo de ella sobre la ladera, grande donde la vista es rasante. También se extienden los árboles y las personas de la imagen: el MDE no los conoce.</translation>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
+        <translation>El segundo ráster da la resolución sobre el terreno de la mejor foto en metros por píxel: banda 1 transversal a la línea de visión, banda 2 a lo largo de ella sobre la ladera, grande si la línea de visión roza el terreno. También se extienden los árboles y las personas de la imagen, porque el MDE no los contiene.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -457,18 +458,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
-        <translation>Escribe una fila por columna de la imagen: &lt;b&gt;column&lt;/b&gt; y &lt;b&gt;row&lt;/b&gt; son píxeles de la imagen completa y enderezada (el primer píxel es 0, row = primer píxel de terreno), &lt;b&gt;confidence&lt;/b&gt; va de 0 (ningún límite creíble, interpolado) a 1.</translation>
+        <source>Writes one row per picture column. &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel is 0; row is the first terrain pixel). &lt;b&gt;confidence&lt;/b&gt; ranges from 0 (no plausible boundary, interpolated) to 1.</source>
+        <translation>Escribe una fila por columna de la imagen. &lt;b&gt;column&lt;/b&gt; y &lt;b&gt;row&lt;/b&gt; son píxeles de la imagen completa y enderezada (el primer píxel es 0; row es el primer píxel de terreno). &lt;b&gt;confidence&lt;/b&gt; va de 0 (ningún límite verosímil, interpolado) a 1.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
-        <translation>Donde la línea automática sea errónea, corrija la tabla a mano y désela a &lt;i&gt;Orientar fotos&lt;/i&gt; como &lt;i&gt;Líneas del horizonte dibujadas&lt;/i&gt;. Las superposiciones son imágenes PNG para juzgarla.</translation>
+        <source>If the automatic skyline is wrong, correct the table by hand and use it in &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt;. The overlays are PNG pictures for checking the skyline.</source>
+        <translation>Si la línea del horizonte automática es errónea, corrija la tabla a mano y úsela en &lt;i&gt;Orientar fotos&lt;/i&gt; como &lt;i&gt;Líneas del horizonte dibujadas&lt;/i&gt;. Las superposiciones son imágenes PNG para comprobar la línea del horizonte.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
-        <translation>Robusto: la línea más probable en conjunto, también entre bruma, nubes y ruido. Artículo: los filtros publicados, columna por columna.</translation>
+        <source>Robust: finds the most likely line as a whole, even with haze, clouds and noise. Paper: uses the published filters, column by column.</source>
+        <translation>Robusto: halla la línea más probable en conjunto, incluso con bruma, nubes y ruido. Artículo: usa los filtros publicados, columna por columna.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -547,18 +548,18 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
-        <translation>Para cada punto y acimut: el ángulo de elevación del horizonte, a qué distancia está y dónde. Los acimutes son geográficos y las distancias, metros sobre el terreno en cualquier sistema de coordenadas del MDE; se tienen en cuenta la curvatura terrestre y la refracción.</translation>
+        <source>Computes the elevation angle, the distance and the position of the horizon for each point and azimuth. Azimuths count from true north and distances are ground metres in any coordinate system of the DEM. The earth's curvature and refraction are taken into account.</source>
+        <translation>Calcula el ángulo de elevación, la distancia y la posición del horizonte para cada punto y acimut. Los acimutes se cuentan desde el norte geográfico y las distancias son metros sobre el terreno en cualquier sistema de coordenadas del MDE. Se tienen en cuenta la curvatura terrestre y la refracción.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
-        <translation>&lt;b&gt;clipped&lt;/b&gt; es verdadero donde el MDE termina antes del alcance de búsqueda y más allá podría haber terreno más alto. &lt;b&gt;svf&lt;/b&gt; es el factor de visión del cielo del punto de origen (1 = cielo despejado).</translation>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true if the elevation model ends before the search range and there could be higher terrain beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; es verdadero si el MDE termina antes del alcance de búsqueda y más allá podría haber terreno más alto. &lt;b&gt;svf&lt;/b&gt; es el factor de visión del cielo del punto de origen (1 = cielo despejado).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation>En Avanzado se obtiene además un ráster de los factores de visión del cielo de todas las celdas de una extensión, con la pendiente de cada una (Dozier y Frew 1990).</translation>
+        <source>Under Advanced you can add a raster with the sky view factor of each cell in an extent, which takes the cell's own slope into account (Dozier and Frew 1990).</source>
+        <translation>En Avanzado puede añadir un ráster con el factor de visión del cielo de cada celda de una extensión, que tiene en cuenta la pendiente propia de la celda (Dozier y Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -569,8 +570,8 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the eye stands, in any coordinate system.</source>
-        <translation>Dónde está el ojo, en cualquier sistema de coordenadas.</translation>
+        <source>Positions of the observer's eye, in any coordinate system.</source>
+        <translation>Posiciones del ojo del observador, en cualquier sistema de coordenadas.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -591,8 +592,8 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
-        <translation>Un punto por acimut, donde está el horizonte, con ángulo de elevación (°) y distancia (m).</translation>
+        <source>One point per azimuth at the position of the horizon, with elevation angle (°) and distance (m).</source>
+        <translation>Un punto por acimut en la posición del horizonte, con ángulo de elevación (°) y distancia (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -664,12 +665,12 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
-        <translation>Lo que un archivo no dice queda NULL. Las fotografías sin posición utilizable y los archivos ilegibles van, con el motivo, a la tabla opcional de fotografías rechazadas.</translation>
+        <source>Values that a file does not contain are NULL. The optional table of rejected photographs lists photographs without a usable position and files that cannot be read, with the reason.</source>
+        <translation>Los valores que un archivo no contiene son NULL. La tabla opcional de fotografías rechazadas enumera las fotografías sin posición utilizable y los archivos ilegibles, con el motivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>JPEG and HEIC files are read by content.</source>
+        <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>Los archivos JPEG y HEIC se reconocen por su contenido.</translation>
     </message>
     <message>
@@ -684,8 +685,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Table of the files that give no point, each with the reason.</source>
-        <translation>Tabla de los archivos que no dan punto, cada uno con el motivo.</translation>
+        <source>Table of the files that produced no point, with the reason.</source>
+        <translation>Tabla de los archivos que no produjeron ningún punto, con el motivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -719,18 +720,18 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
-        <translation>Qué cimas están en la imagen, si son visibles, a qué distancia y dónde; PNG y SVG rotulados</translation>
+        <source>Summits in the picture with visibility, distance and position; annotated PNG and SVG</source>
+        <translation>Cimas en la imagen con visibilidad, distancia y posición; PNG y SVG rotulados</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
-        <translation>Toma una capa de puntos con nombres y altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), o busca cimas en el MDE por su prominencia. Cada una se coloca en el punto alto cercano del MDE, pues las posiciones publicadas y los MDE gruesos difieren en cientos de metros; después se averigua si la foto la muestra.</translation>
+        <source>Uses a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each published summit is moved to the nearby top in the DEM, because published positions and coarse DEMs differ by hundreds of metres. Then its visibility in the photo is tested.</source>
+        <translation>Usa una capa de puntos con nombres y altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), o busca cimas en el MDE por su prominencia. Cada cima publicada se desplaza al punto alto cercano del MDE, porque las posiciones publicadas y los MDE gruesos difieren en cientos de metros. Después se comprueba su visibilidad en la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
-        <translation>Los rótulos nunca se solapan; la cima más importante (por prominencia, si no por su altura sobre las demás a la vista) obtiene el mejor sitio. Las que no encuentran sitio faltan en la imagen, no en la capa.</translation>
+        <source>Labels never overlap. The more important summit (by prominence, otherwise by height above the others in view) gets the better place. Labels without room are left out of the picture; the layer contains all summits.</source>
+        <translation>Los rótulos nunca se solapan. La cima más importante (por prominencia; si no, por su altura sobre las demás a la vista) obtiene el mejor sitio. Los rótulos sin sitio se omiten en la imagen; la capa contiene todas las cimas.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -739,8 +740,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
-        <translation>Un punto por cumbre y foto en cuyo encuadre está, con nombre, distancia (m) y lugar en la imagen (px).</translation>
+        <source>One point for each photo and each summit in its frame, with name, distance (m) and position in the picture (px).</source>
+        <translation>Un punto por cada foto y cada cima en su encuadre, con nombre, distancia (m) y posición en la imagen (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -769,8 +770,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Height as published, else of the DEM (m)</source>
-        <translation>Altitud publicada, si no la del MDE (m)</translation>
+        <source>Published height, otherwise height in the DEM (m)</source>
+        <translation>Altitud publicada; si no, altitud en el MDE (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -784,8 +785,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Prominence in the DEM (m), where summits were searched</source>
-        <translation>Prominencia en el MDE (m), donde se buscaron cimas</translation>
+        <source>Prominence in the DEM (m), if summits were searched</source>
+        <translation>Prominencia en el MDE (m), si se buscaron cimas</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -836,13 +837,13 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
-        <translation>Los puntos, las líneas (un sendero) y las áreas (el contorno de un glaciar de 1900) se convierten en coordenadas de imagen. Líneas y contornos siguen el terreno y se cortan donde pasan detrás de él o salen de la imagen; cada trozo dice &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (oculto), &lt;b&gt;outside&lt;/b&gt; (fuera) o &lt;b&gt;unknown&lt;/b&gt; (sin altitud allí). Las áreas dicen además qué parte de ellas se ve.</translation>
+        <source>Converts points, lines (such as a trail) and areas (such as a glacier's outline of 1900) to image coordinates. Lines and outlines follow the terrain and are cut where they disappear behind it or leave the picture. The state of each piece is &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). For areas, the visible share is given as well.</source>
+        <translation>Convierte puntos, líneas (como un sendero) y áreas (como el contorno de un glaciar de 1900) en coordenadas de imagen. Líneas y contornos siguen el terreno y se cortan donde desaparecen detrás de él o salen de la imagen. El estado de cada trozo es &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (oculto), &lt;b&gt;outside&lt;/b&gt; (fuera) o &lt;b&gt;unknown&lt;/b&gt; (sin altitud allí). Para las áreas se da además la parte visible.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
-        <translation>Las coordenadas de salida son las de la imagen tal como QGIS la muestra sin georreferencia: x a la derecha, y negativa hacia abajo desde la esquina superior izquierda; cargue la foto al lado. Los campos &lt;b&gt;x_px&lt;/b&gt; e &lt;b&gt;y_px&lt;/b&gt; cuentan desde el centro del primer píxel, y hacia abajo.</translation>
+        <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
+        <translation>La salida tiene las coordenadas de la imagen tal como QGIS la muestra sin georreferencia: x a la derecha, y negativa hacia abajo desde la esquina superior izquierda. Cárguela junto con la foto. Los campos &lt;b&gt;x_px&lt;/b&gt; e &lt;b&gt;y_px&lt;/b&gt; cuentan desde el centro del primer píxel, con y hacia abajo.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -851,8 +852,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
-        <translation>En cualquier sistema de coordenadas. Las altitudes se toman del MDE salvo que deba usarse Z.</translation>
+        <source>Points, lines or areas in any coordinate system. Heights are taken from the DEM; Z values are ignored.</source>
+        <translation>Puntos, líneas o áreas en cualquier sistema de coordenadas. Las altitudes se toman del MDE; los valores Z se ignoran.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -874,8 +875,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Of what is to be seen.</source>
-        <translation>De lo que debe verse.</translation>
+        <source>Height of points above the ground. Lines and areas lie on the ground.</source>
+        <translation>Altura de los puntos sobre el suelo. Las líneas y las áreas están sobre el suelo.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -885,8 +886,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>How finely lines are followed.</source>
-        <translation>Con qué finura se siguen las líneas.</translation>
+        <source>Lines are followed in steps of this length.</source>
+        <translation>Las líneas se siguen en pasos de esta longitud.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -895,8 +896,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
-        <translation>Puntos en píxeles de la imagen derecha, filas como y negativa; state dice si la foto los muestra.</translation>
+        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
+        <translation>Puntos en píxeles de la imagen enderezada, con y negativa para las filas. El campo state indica si la foto los muestra.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -905,8 +906,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
-        <translation>Líneas y contornos en píxeles de la imagen derecha, filas como y negativa, cortados donde dejan de verse.</translation>
+        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
+        <translation>Líneas y contornos en píxeles de la imagen enderezada, con y negativa para las filas, cortados donde cambia su visibilidad.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -955,8 +956,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
-        <translation>La tabla necesita los campos photo, x_extracted, y_extracted, x_synthetic, y_synthetic (o x1, y1, x2, y2). El tamaño de la imagen y los ángulos de visión se toman de los campos width, height, hfov, vfov donde existan; si no, del archivo de la foto, según la regla publicada. La salida contiene las medias de las desviaciones absolutas por fotografía; las medias de todos los pares se dan como resultados.</translation>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view are read from the fields width, height, hfov and vfov if they exist, otherwise from the photo file by the published rule. The output contains the means of the absolute offsets per photograph; the means over all pairs are returned as results.</source>
+        <translation>La tabla necesita los campos photo, x_extracted, y_extracted, x_synthetic, y_synthetic (o x1, y1, x2, y2). El tamaño de la imagen y los ángulos de visión se leen de los campos width, height, hfov y vfov si existen; si no, del archivo de la foto, según la regla publicada. La salida contiene las medias de las desviaciones absolutas por fotografía; las medias de todos los pares se devuelven como resultados.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -975,8 +976,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>Left empty: the first of {names} that the table has.</source>
-        <translation>Vacío: el primero de {names} que tenga la tabla.</translation>
+        <source>If this is empty, the first of {names} that the table contains is used.</source>
+        <translation>Si se deja vacío, se usa el primero de {names} que contenga la tabla.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1065,13 +1066,13 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
-        <translation>Compara la línea del horizonte de cada fotografía con el horizonte que el modelo digital de elevaciones tiene en su posición, en todos los rumbos, y ajusta rumbo, cabeceo, alabeo y distancia focal. No hace falta brújula.</translation>
+        <source>Compares the skyline in each photograph with the horizon computed from the elevation model at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Compara la línea del horizonte de cada fotografía con el horizonte calculado en su posición a partir del modelo digital de elevaciones, en todos los rumbos, y ajusta rumbo, cabeceo, alabeo y distancia focal. No hace falta brújula.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (aceptada: fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambigua: otro rumbo encaja casi igual de bien; véanse heading_2 y el informe), &lt;i&gt;rejected&lt;/i&gt; (rechazada: sin línea del horizonte utilizable, o nada encaja), &lt;i&gt;failed&lt;/i&gt; (fallida: la entrada tiene la culpa); &lt;b&gt;message&lt;/b&gt; dice por qué y qué hacer. heading_lo y heading_hi encierran el rumbo verdadero con el 90 %; en una foto aceptada, si su rumbo es el correcto, y &lt;b&gt;p_correct&lt;/b&gt; dice cuán seguro es eso.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the answer can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (another heading fits nearly as well, or the fit is weak; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (there is no usable skyline, or no heading fits) or &lt;i&gt;failed&lt;/i&gt; (the input cannot be used). &lt;b&gt;message&lt;/b&gt; gives the reason and suggests what to do. heading_lo and heading_hi enclose the true heading with a probability of 90 %. For an accepted photo this holds if its heading is the right one; &lt;b&gt;p_correct&lt;/b&gt; is the probability of that.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; es &lt;i&gt;accepted&lt;/i&gt; (aceptada: la respuesta es fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambigua: otro rumbo encaja casi igual de bien, o el ajuste es débil; véanse heading_2 y el informe), &lt;i&gt;rejected&lt;/i&gt; (rechazada: no hay línea del horizonte utilizable, o ningún rumbo encaja) o &lt;i&gt;failed&lt;/i&gt; (fallida: la entrada no se puede usar). &lt;b&gt;message&lt;/b&gt; da el motivo y sugiere qué hacer. heading_lo y heading_hi encierran el rumbo verdadero con una probabilidad del 90 %. En una foto aceptada esto vale si su rumbo es el correcto; &lt;b&gt;p_correct&lt;/b&gt; es la probabilidad de que lo sea.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1096,13 +1097,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
-        <translation>Horizonte y crestas interiores alrededor de un punto, rotulados, como SVG y PNG y como líneas del mapa</translation>
+        <source>Labelled horizon and inner ridges in all directions from a point, as SVG, PNG and map lines</source>
+        <translation>Horizonte y crestas interiores rotulados en todas las direcciones desde un punto, como SVG, PNG y líneas del mapa</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
-        <translation>Dibuja, para cada punto, el horizonte y cada cresta interior que oculta terreno; las cercanas oscuras y marcadas, las lejanas pálidas. Las cimas proceden de una capa, o del MDE por su prominencia. Los puntos de fotos orientadas cercanos (opcional) muestran su encuadre en su sitio.</translation>
+        <source>For each point, draws the horizon and every inner ridge that hides ground behind it. Near ridges are dark and thick, distant ones pale. Summits come from a layer, or are found in the DEM by their prominence. Optionally, the frames of oriented photos near the point are drawn.</source>
+        <translation>Dibuja, para cada punto, el horizonte y cada cresta interior que oculta terreno detrás de ella. Las crestas cercanas son oscuras y gruesas; las lejanas, pálidas. Las cimas proceden de una capa, o se hallan en el MDE por su prominencia. Opcionalmente se dibujan los encuadres de las fotos orientadas cercanas al punto.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1111,13 +1112,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
-        <translation>Los que están a menos de 100 m de un punto muestran su encuadre; campos heading, pitch, roll, hfov, vfov.</translation>
+        <source>The frames of photos within 100 m of a point are drawn, from the fields heading, pitch, roll, hfov and vfov.</source>
+        <translation>Se dibujan los encuadres de las fotos a menos de 100 m de un punto, según los campos heading, pitch, roll, hfov y vfov.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Between rays.</source>
-        <translation>Entre rayos.</translation>
+        <source>Angle between neighbouring rays.</source>
+        <translation>Ángulo entre rayos contiguos.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1126,8 +1127,8 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the strip begins.</source>
-        <translation>Dónde empieza la franja.</translation>
+        <source>Azimuth at which the panorama begins.</source>
+        <translation>Acimut en el que empieza el panorama.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1221,8 +1222,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
-        <translation>La tabla dice cuánto muestra cada fotografía y cuáles son necesarias: las menos posibles que juntas muestran todo lo que muestra la colección, en el orden de lo que añade cada una (&lt;b&gt;pick&lt;/b&gt;). PROVEN es verdadero donde no existe una elección menor.</translation>
+        <source>The table gives how much each photograph shows, and which photographs are needed: as few as possible that together show everything the collection shows, in the order of how much each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true if it was proven that no smaller selection exists.</source>
+        <translation>La tabla indica cuánto muestra cada fotografía y qué fotografías son necesarias: las menos posibles que juntas muestran todo lo que muestra la colección, en el orden de lo que añade cada una (&lt;b&gt;pick&lt;/b&gt;). PROVEN es verdadero si se demostró que no existe una selección menor.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1232,13 +1233,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
-        <translation>Solo cuenta el terreno del interior. Vacío: todo el MDE, en la medida en que esté al alcance de una foto.</translation>
+        <source>Only ground inside the area counts. If this is empty, all ground of the DEM within the maximum distance of the photos counts.</source>
+        <translation>Solo cuenta el terreno dentro del área. Si se deja vacía, cuenta todo el terreno del MDE dentro de la distancia máxima de las fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
-        <translation>En la cuadrícula del MDE: cuántas fotografías ven cada celda; 0 es un punto ciego, nodata queda fuera del área.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid. 0 is a blind spot; nodata is outside the area.</source>
+        <translation>Número de fotografías que muestran cada celda, en la cuadrícula del MDE. 0 es un punto ciego; sin datos queda fuera del área.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1258,8 +1259,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
-        <translation>Una fila por fotografía: el terreno que ve y en qué orden las necesarias añaden más.</translation>
+        <source>One row per photograph with the ground that it shows and, if it is needed, its place in the selection.</source>
+        <translation>Una fila por fotografía con el terreno que muestra y, si es necesaria, su puesto en la selección.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1288,8 +1289,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>El área está vacía o se halla donde el SRC del MDE no alcanza.</translation>
+        <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>El área está vacía o se halla fuera de la región en la que es válido el SRC del MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1308,13 +1309,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
-        <translation>Lee fotografías georreferenciadas, halla para cada una hacia dónde mira a partir de su línea del horizonte y del modelo digital de elevaciones, y calcula el terreno que muestra. Elija una carpeta, o una capa de puntos de fotos.</translation>
+        <source>Reads geotagged photographs, finds the heading of each from its skyline and the elevation model, and computes the ground that it shows. Choose a folder or a layer of photo points.</source>
+        <translation>Lee fotografías georreferenciadas, halla el rumbo de cada una a partir de su línea del horizonte y del modelo digital de elevaciones, y calcula el terreno que muestra. Elija una carpeta o una capa de puntos de fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
-        <translation>Abra el informe para juzgar cada ajuste: una ficha por fotografía, con el horizonte dibujado sobre la imagen. Las fotografías de rumbo dudoso (estado &lt;i&gt;ambiguous&lt;/i&gt;) no reciben cuenca visual a menos que la pida en Avanzado; con el método &lt;i&gt;artículo&lt;/i&gt;, que no comprueba sus respuestas, todas reciben una.</translation>
+        <source>Open the report to check each match: it has one card per photograph, with the horizon drawn over the picture. Photographs with a doubtful heading (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you request it under Advanced. With the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all photographs get one.</source>
+        <translation>Abra el informe para comprobar cada ajuste: contiene una ficha por fotografía, con el horizonte dibujado sobre la imagen. Las fotografías de rumbo dudoso (estado &lt;i&gt;ambiguous&lt;/i&gt;) no reciben cuenca visual a menos que la pida en Avanzado. Con el método &lt;i&gt;artículo&lt;/i&gt;, que no comprueba sus respuestas, todas las fotografías reciben una.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1323,13 +1324,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
-        <translation>Hasta qué distancia de la cámara se busca terreno que muestre la foto, en metros sobre el terreno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Folders inside the folder too</source>
-        <translation>También las subcarpetas de la carpeta</translation>
+        <source>Maximum viewshed distance from the camera, in metres on the ground.</source>
+        <translation>Distancia máxima de la cuenca visual desde la cámara, en metros sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1343,8 +1339,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Show the ground for the best heading even where another is as likely.</source>
-        <translation>Muestra el terreno del mejor rumbo aunque otro sea igual de probable.</translation>
+        <source>Computes the ground for the best heading even if another heading is as likely.</source>
+        <translation>Calcula el terreno para el mejor rumbo aunque otro rumbo sea igual de probable.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1363,28 +1359,28 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
-        <translation>La línea de visión de cada píxel se sigue hasta el modelo digital de elevaciones, con la curvatura terrestre y la refracción. Líneas y contornos se siguen píxel a píxel y se cortan donde salta el terreno de detrás. Los píxeles que dan con el cielo, un hueco del MDE o su borde lo dicen en &lt;b&gt;status&lt;/b&gt;.</translation>
+        <source>Follows the line of sight of each pixel to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. If a pixel shows the sky, or its line of sight enters a void of the DEM or reaches its edge, the field &lt;b&gt;status&lt;/b&gt; records this.</source>
+        <translation>Sigue la línea de visión de cada píxel hasta el modelo digital de elevaciones, con la curvatura terrestre y la refracción. Líneas y contornos se siguen píxel a píxel y se cortan donde salta el terreno de detrás. Si un píxel muestra el cielo, o su línea de visión entra en un vacío del MDE o llega a su borde, el campo &lt;b&gt;status&lt;/b&gt; lo indica.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
-        <translation>La elipse de error contiene el lugar verdadero con la probabilidad elegida, dada la incertidumbre de rumbo, cabeceo, alabeo, distancia focal, posición y MDE. &lt;b&gt;p_other&lt;/b&gt; es la probabilidad de que el píxel muestre un terreno muy distinto, más allá de un borde en la imagen: cuidado cerca de las crestas.</translation>
+        <source>The error ellipse contains the true position with the chosen probability, given the uncertainties of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows different ground, beyond an edge in the picture. It is often large near ridges.</source>
+        <translation>La elipse de error contiene la posición verdadera con la probabilidad elegida, dadas las incertidumbres de rumbo, cabeceo, alabeo, distancia focal, posición y MDE. &lt;b&gt;p_other&lt;/b&gt; es la probabilidad de que el píxel muestre otro terreno, más allá de un borde en la imagen. Suele ser grande cerca de las crestas.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Probability that the ellipse holds (%)</source>
-        <translation>Probabilidad que contiene la elipse (%)</translation>
+        <source>Probability of the error ellipse (%)</source>
+        <translation>Probabilidad de la elipse de error (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>90 % is usual.</source>
-        <translation>El 90 % es lo habitual.</translation>
+        <source>Probability that the ellipse contains the true position; 90 % is usual.</source>
+        <translation>Probabilidad de que la elipse contenga la posición verdadera; el 90 % es lo habitual.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Lines and outlines are followed in steps of this.</source>
-        <translation>Líneas y contornos se siguen en pasos de este tamaño.</translation>
+        <source>Lines and outlines are followed in steps of this length.</source>
+        <translation>Las líneas y los contornos se siguen en pasos de esta longitud.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1423,8 +1419,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
-        <translation>Una elipse por punto, que contiene el lugar verdadero con la probabilidad elegida.</translation>
+        <source>One ellipse per point, which contains the true position with the chosen probability.</source>
+        <translation>Una elipse por punto, que contiene la posición verdadera con la probabilidad elegida.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1433,8 +1429,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Number of features that meet no ground</source>
-        <translation>Número de objetos que no dan con terreno</translation>
+        <source>Number of features that show no ground</source>
+        <translation>Número de objetos que no muestran terreno</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/core_sentences.py"/>
@@ -2095,18 +2091,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Los objetos del mapa están vacíos o se hallan donde el SRC del MDE no alcanza.</translation>
+        <source>The map features are empty, or lie outside the region for which the DEM's CRS is valid.</source>
+        <translation>Los objetos del mapa están vacíos o se hallan fuera de la región en la que es válido el SRC del MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Un archivo por foto (unos 2 MB), solo para este complemento. Una ejecución repetida toma de él lo que no ha cambiado desde entonces (foto, MDE, ajustes, versión del complemento), de modo que una ejecución interrumpida sigue donde estaba.</translation>
+        <source>One file per photo (about 2 MB), for this plugin only. A repeated run reuses each orientation for which nothing has changed (photo, DEM, settings, version of the plugin), so a run that was stopped continues where it stopped.</source>
+        <translation>Un archivo por foto (unos 2 MB), solo para este complemento. Una ejecución repetida reutiliza cada orientación para la que nada ha cambiado (foto, MDE, ajustes, versión del complemento), de modo que una ejecución interrumpida continúa donde se detuvo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Carpeta que conserva las orientaciones</translation>
+        <source>Folder for finished orientations</source>
+        <translation>Carpeta de orientaciones terminadas</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
@@ -2353,8 +2349,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Probabilidad de que contenga el lugar verdadero</translation>
+        <source>Probability that the ellipse contains the true position</source>
+        <translation>Probabilidad de que la elipse contenga la posición verdadera</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -2368,8 +2364,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>De la imagen enderezada, a través de su centro. NULL: según la distancia focal del archivo.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
+        <translation>Ángulo de visión de la imagen enderezada, a través de su centro. NULL: se calcula según la distancia focal del archivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2383,13 +2379,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Para torres, teleféricos y drones: el ojo está a la altitud del archivo, si se cuenta desde el mar, y no sobre el MDE. La altitud de un teléfono suele errar entre 10 y 50 m. Una elevación de la cámara en un campo tiene prioridad.</translation>
+        <source>For towers, cable cars and drones: uses the altitude in the file, if it counts from sea level, instead of the DEM plus camera height. A phone's altitude is often wrong by 10 to 50 m. The elevation in the field with the camera's elevation takes precedence.</source>
+        <translation>Para torres, teleféricos y drones: usa la altitud del archivo, si se cuenta desde el nivel del mar, en lugar del MDE más la altura de la cámara. La altitud de un teléfono suele errar entre 10 y 50 m. La altitud del campo con la altitud de la cámara tiene prioridad.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Un punto por fotografía: todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, lo seguros que son, estado y mensaje.</translation>
+        <source>One point per photograph with all fields of the source, then heading, pitch, roll, field of view, their uncertainty, status and message.</source>
+        <translation>Un punto por fotografía con todos los campos de la fuente, después rumbo, cabeceo, alabeo, ángulo de visión, su incertidumbre, estado y mensaje.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2403,8 +2399,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Un fallo imprevisto del programa detuvo esta foto. Comuníquelo, por favor, con los detalles del registro.</translation>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2540,8 +2536,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Un punto por fotografía, en cualquier sistema de coordenadas, por ejemplo de «Importar fotos geoetiquetadas». El punto es la posición de la cámara; un punto sin geometría toma la posición inscrita en la fotografía.</translation>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position. If a point has no geometry, the position recorded in the photograph is used.</source>
+        <translation>Un punto por fotografía, en cualquier sistema de coordenadas, por ejemplo de «Importar fotos geoetiquetadas». El punto es la posición de la cámara. Si un punto no tiene geometría, se usa la posición registrada en la fotografía.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2555,8 +2551,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería llegar tan lejos como las montañas que se ven.</translation>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should extend to the mountains that are visible.</source>
+        <translation>Cualquier ráster con altitudes en metros y un sistema de coordenadas, proyectado o geográfico. Debería extenderse hasta las montañas visibles.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2570,8 +2566,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>A qué distancia pueden estar las montañas de la línea del horizonte, en metros sobre el terreno; el método artículo no mira más allá de 15 km.</translation>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
+        <translation>Distancia máxima de las montañas de la línea del horizonte, en metros sobre el terreno. El método artículo usa como máximo 15 km.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2590,8 +2586,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robusto: geometría exacta de la cámara, todos los rumbos, un margen de error honesto. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no admite indicación, punto de referencia, línea dibujada ni máscara.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robusto: geometría exacta de la cámara, una búsqueda en todos los rumbos y un margen de error. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no usa indicaciones, puntos de referencia, líneas del horizonte dibujadas ni máscaras.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2610,8 +2606,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorar: la brújula solo se informa. Indicación: una creencia flexible, lo bastante amplia para los errores de los teléfonos; una línea del horizonte clara se impone. El método artículo no conoce la brújula.</translation>
+        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
+        <translation>Ignorar: el rumbo de la brújula solo se informa. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone. El método artículo no usa la brújula.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2620,13 +2616,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Metros sobre el MDE, donde no se da una altitud absoluta.</translation>
+        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
+        <translation>Metros sobre el MDE, usados si no se da una altitud absoluta.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Metros sobre el terreno desde la cámara. Más allá no se examina nada.</translation>
+        <source>Distance from the camera in metres on the ground. Terrain beyond is ignored.</source>
+        <translation>Distancia desde la cámara en metros sobre el terreno. El terreno de más allá se ignora.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2635,8 +2631,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Parte de la curvatura terrestre que el aire compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda del método artículo, para el que la tierra es plana.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
+        <translation>Parte de la curvatura terrestre que la refracción compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda propia del método artículo, que supone una tierra plana.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2670,8 +2666,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>En {folder} no hay ninguna fotografía (JPEG, HEIC). Elija otra carpeta o incluya las subcarpetas.</translation>
+        <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
+        <translation>No se encontró ninguna fotografía (JPEG, HEIC) en {folder}. Elija otra carpeta o incluya sus subcarpetas.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/picture_files.py"/>
@@ -2735,8 +2731,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
-        <translation>Rumbo geográfico, en sentido horario desde el norte, cerca del cual debe estar la respuesta. NULL: ninguno.</translation>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Rumbo geográfico aproximado, en sentido horario desde el norte. La respuesta debe estar cerca de él. NULL: ninguno.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2745,7 +2741,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Cuánto puede apartarse el rumbo del aproximado. NULL: 20 grados.</translation>
     </message>
     <message>
@@ -2755,8 +2751,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
-        <translation>Puntos del mapa que se ven en las fotografías: campos photo, x e y (píxeles de la imagen enderezada, el primero es 0), opcionalmente elevation (m). Uno basta para determinar el rumbo.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
+        <translation>Puntos del mapa visibles en las fotografías, con los campos photo, x e y (píxeles de la imagen enderezada; el primer píxel es 0) y opcionalmente elevation (m). Un punto de referencia basta para determinar el rumbo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2790,8 +2786,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
-        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
-        <translation>PNG en tres paneles: fotografía, rumbo y ángulo de visión sobre el MDE, cuenca visual con la cámara y, si los puntos llevan marca de tiempo, el camino recorrido.</translation>
+        <source>PNG files with three panels: the photograph, the heading and field of view on the DEM, and the viewshed with the camera and, if the points have a timestamp, the path between the cameras.</source>
+        <translation>Archivos PNG con tres paneles: la fotografía, el rumbo y el ángulo de visión sobre el MDE, y la cuenca visual con la cámara y, si los puntos tienen marca de tiempo, el camino entre las cámaras.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
@@ -2820,8 +2816,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>El terreno más lejano no se examina; las montañas distantes ocupan poco cielo.</translation>
+        <source>Terrain beyond is ignored; distant mountains cover little of the sky.</source>
+        <translation>El terreno de más allá se ignora; las montañas lejanas cubren poco cielo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2831,13 +2827,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>La extensión del ráster de visión del cielo no toca el MDE. Elija otra.</translation>
+        <source>The extent of the sky view raster does not overlap the DEM. Choose another.</source>
+        <translation>La extensión del ráster de visión del cielo no se solapa con el MDE. Elija otra.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>El alcance de búsqueda del ráster de visión del cielo puede ser de {most} m como máximo con un MDE de {cell} m.</translation>
+        <source>The search range of the sky view raster can be at most {most} m on a DEM with cells of {cell} m.</source>
+        <translation>El alcance de búsqueda del ráster de visión del cielo puede ser de {most} m como máximo con un MDE de celdas de {cell} m.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2851,8 +2847,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Tabla de Extraer la línea del horizonte (photo, column, row, confidence). El terreno que aparecería por encima de la línea del horizonte de su foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Las columnas con una confianza inferior a 0,5 no limitan nada. Necesita el área encuadre de la foto.</translation>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Columns with a confidence below 0.5 exclude nothing. Requires the area photo frame.</source>
+        <translation>Tabla de Extraer la línea del horizonte (photo, column, row, confidence). El terreno que aparecería por encima de la línea del horizonte de su foto está oculto por algo que no está en el MDE, como árboles o casas, y cuenta como no visto. Las columnas con una confianza inferior a 0,5 no excluyen nada. Requiere el área encuadre de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2861,8 +2857,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>El terreno que aparecería por encima de la línea del horizonte de la propia foto está oculto por algo que el MDE no conoce, como árboles o casas, y no se da por visto. Necesita el área encuadre de la foto.</translation>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Requires the area photo frame.</source>
+        <translation>El terreno que aparecería por encima de la línea del horizonte de la propia foto está oculto por algo que no está en el MDE, como árboles o casas, y cuenta como no visto. Requiere el área encuadre de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2871,8 +2867,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>Hasta esta altura sobre la línea del horizonte el terreno aún se da por visto: errores del MDE y de la orientación.</translation>
+        <source>Ground up to this angle above the skyline still counts as seen, which allows for errors of the DEM and the heading.</source>
+        <translation>El terreno hasta este ángulo sobre la línea del horizonte aún cuenta como visto, lo que tiene en cuenta los errores del MDE y del rumbo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2881,8 +2877,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>La tabla de líneas del horizonte no conoce esta foto: no se recorta nada.</translation>
+        <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
+        <translation>La tabla de líneas del horizonte no contiene esta foto, por lo que no se excluye ningún terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2911,13 +2907,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Least prominence (m)</source>
+        <source>Minimum prominence (m)</source>
         <translation>Prominencia mínima (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>De las cimas halladas en el MDE.</translation>
+        <source>Prominence of the summits that are found in the DEM.</source>
+        <translation>Prominencia de las cimas que se hallan en el MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2926,8 +2922,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0: tomar el lugar tal como se publicó.</translation>
+        <source>0: use the published position.</source>
+        <translation>0: usar la posición publicada.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2947,8 +2943,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Solo se usa donde falta la propia fotografía.</translation>
+        <source>Only used if the photograph itself is missing.</source>
+        <translation>Solo se usa si falta la propia fotografía.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2962,8 +2958,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Desviación típica, donde los puntos no llevan heading_lo y heading_hi.</translation>
+        <source>Standard deviation, used if the points have no heading_lo and heading_hi.</source>
+        <translation>Desviación típica, usada si los puntos no tienen heading_lo y heading_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2992,8 +2988,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Desviación típica del lugar de la cámara, al este y al norte cada una; la sustituye un campo h_acc.</translation>
+        <source>Standard deviation of the camera's position, in east and in north. A field h_acc takes precedence.</source>
+        <translation>Desviación típica de la posición de la cámara, al este y al norte. Un campo h_acc tiene prioridad.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3007,8 +3003,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>Se desconoce el tamaño de la imagen: sus píxeles se toman como los de una imagen de 4000 px de ancho.</translation>
+        <source>The picture's size is unknown, so a width of 4000 px is assumed.</source>
+        <translation>Se desconoce el tamaño de la imagen, por lo que se supone una anchura de 4000 px.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3027,8 +3023,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Las partes menores de un polígono se omiten y los huecos menores se rellenan. 0 conserva todo.</translation>
+        <source>Smaller parts of a polygon are removed, and smaller holes are filled. 0 keeps everything.</source>
+        <translation>Las partes menores de un polígono se eliminan y los huecos menores se rellenan. 0 conserva todo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3037,8 +3033,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Un GeoTIFF de coma flotante por foto con bandas con nombre: distancia (m), ángulo de elevación (°), altura sobre la línea de visión (m; negativa: tanto más alto debe ser un objetivo para verse) y, si se conoce la orientación, columna y fila en la imagen (px). Sin datos fuera del área y del alcance.</translation>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; if negative, a target must be this much higher to be visible) and, if the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Un GeoTIFF de coma flotante por foto con bandas con nombre: distancia (m), ángulo de elevación (°), altura sobre la línea de visión (m; si es negativa, un objetivo debe ser más alto en esa medida para ser visible) y, si se conoce la orientación, columna y fila en la imagen (px). Sin datos fuera del área y del alcance.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3047,8 +3043,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Un GeoTIFF por foto: probabilidad de que la imagen muestre una celda (0 a 1), dados los errores de abajo y el intervalo del rumbo. Necesita el área encuadre de la foto; tarda unas cinco veces más.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Un GeoTIFF por foto con la probabilidad (0 a 1) de que la imagen muestre una celda, dados los errores de abajo y el intervalo del rumbo. Requiere el área encuadre de la foto y tarda unas cinco veces más.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3067,8 +3063,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Desviación típica de la altura de una celda sobre lo que tiene delante, para las probabilidades.</translation>
+        <source>Standard deviation of a cell's height relative to the terrain in front of it, for probabilities.</source>
+        <translation>Desviación típica de la altura de una celda respecto al terreno que tiene delante, para las probabilidades.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3087,8 +3083,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Desviación típica, para las probabilidades. Desplaza lo que queda lejos del centro de la imagen.</translation>
+        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
+        <translation>Desviación típica, para las probabilidades. Afecta sobre todo al terreno alejado del centro de la imagen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3183,13 +3179,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Altura de lo que se mira; 0 pregunta por el propio suelo.</translation>
+        <source>Height of the target; 0 means the ground itself.</source>
+        <translation>Altura del objetivo; 0 significa el propio suelo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>El terreno más cercano no se da por visto, pero oculta lo que hay detrás.</translation>
+        <source>Ground nearer than this does not count as seen, but it still hides the terrain behind it.</source>
+        <translation>El terreno más cercano no cuenta como visto, pero aun así oculta el terreno de detrás.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3234,8 +3230,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>What would a photograph from here look like?</source>
-        <translation>¿Cómo se vería una fotografía tomada desde aquí?</translation>
+        <source>Realistic photographs of the terrain from points with a heading</source>
+        <translation>Fotografías realistas del terreno desde puntos con un rumbo</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3279,8 +3275,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Where the pictures go.</source>
-        <translation>Adónde van las imágenes.</translation>
+        <source>Folder in which the pictures are saved.</source>
+        <translation>Carpeta en la que se guardan las imágenes.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3339,6 +3335,16 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of the picture's width that is covered, 0 to 1.</source>
+        <translation>Parte de la anchura de la imagen que queda cubierta, 0 a 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation. If this is empty, it is derived from the relief in view.</source>
+        <translation>Altitud. Si se deja vacía, se deduce del relieve a la vista.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
         <source>Seed</source>
         <translation>Semilla</translation>
     </message>
@@ -3359,13 +3365,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1: over how much of the width.</source>
-        <translation>0 a 1: en qué parte de la anchura.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>What stands near the camera.</source>
-        <translation>Lo que hay cerca de la cámara.</translation>
+        <source>Objects near the camera.</source>
+        <translation>Objetos cercanos a la cámara.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3389,8 +3390,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Haze; small is hazy.</source>
-        <translation>Calima; pequeño significa brumoso.</translation>
+        <source>Smaller values give more haze.</source>
+        <translation>Los valores menores dan más calima.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3404,11 +3405,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Elevation; empty: by the relief in view.</source>
-        <translation>Altitud; vacío: según el relieve a la vista.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>Tree line (m)</source>
         <translation>Límite del bosque (m)</translation>
     </message>
@@ -3419,8 +3415,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>In 8-bit steps at mid-grey.</source>
-        <translation>En pasos de 8 bits en gris medio.</translation>
+        <source>Standard deviation at mid-grey, in 8-bit steps.</source>
+        <translation>Desviación típica en gris medio, en pasos de 8 bits.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3439,13 +3435,13 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
-        <translation>Para cada punto, línea o área de la capa de lugares: las fotografías en cuyo encuadre está y que lo ven, cuántos píxeles recibe un metro de él, con qué inclinación se mira y en qué lugar de la imagen está. Una fila por lugar y foto, la mejor foto de cada lugar primero (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+        <source>Finds the photographs that show each point, line or area of the places layer. One row per place and photo gives the pixels per metre, the angle of incidence and the position in the picture. The best photo of each place comes first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Halla las fotografías que muestran cada punto, línea o área de la capa de lugares. Una fila por lugar y foto da los píxeles por metro, el ángulo de incidencia y la posición en la imagen. La mejor foto de cada lugar va primero (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
-        <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: píxeles para un metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, listos para relaciones con ambas capas.</translation>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: los píxeles por metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, que puede usar para relaciones con ambas capas.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3464,13 +3460,13 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Of what is looked for: a tower, a tree top.</source>
-        <translation>De lo que se busca: una torre, la copa de un árbol.</translation>
+        <source>Height of the target above the ground, for example of a tower or a tree top.</source>
+        <translation>Altura del objetivo sobre el suelo, por ejemplo de una torre o de la copa de un árbol.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Least visible share (%)</source>
-        <translation>Menor parte visible (%)</translation>
+        <source>Minimum visible share (%)</source>
+        <translation>Parte visible mínima (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3499,8 +3495,8 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>La capa de lugares está vacía o se halla donde el SRC del MDE no alcanza.</translation>
+        <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>La capa de lugares está vacía o se halla fuera de la región en la que es válido el SRC del MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>

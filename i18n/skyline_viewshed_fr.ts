@@ -14,8 +14,9 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Folders inside it too</source>
-        <translation>Sous-dossiers aussi</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Include subfolders</source>
+        <translation>Inclure les sous-dossiers</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -84,8 +85,8 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Takes the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses err by 5 to 10 degrees and more.</source>
-        <translation>Prend les azimuts enregistrés par les appareils et calcule le terrain dans l'angle de champ horizontal. Les boussoles des téléphones se trompent de 5 à 10 degrés et plus.</translation>
+        <source>Uses the headings that the cameras recorded, and computes the ground within the horizontal field of view. Phone compasses are often wrong by 5 to 10 degrees or more.</source>
+        <translation>Utilise les azimuts enregistrés par les appareils et calcule le terrain dans l'angle de champ horizontal. Les boussoles des téléphones se trompent souvent de 5 à 10 degrés ou plus.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -102,12 +103,12 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Look into all folders below as well.</source>
-        <translation>Chercher aussi dans tous les dossiers qu'il contient.</translation>
+        <source>Also searches all subfolders.</source>
+        <translation>Cherche aussi dans tous les sous-dossiers.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <source>Raster of classes, in any coordinate system of its own.</source>
+        <source>Raster of classes, in any coordinate system.</source>
         <translation>Raster de classes, dans n'importe quel système de coordonnées.</translation>
     </message>
     <message>
@@ -119,8 +120,8 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; nodata where that is unknown.</source>
-        <translation>Sur la grille du MNT : combien de photos voient chaque cellule ; nodata là où on ne le sait pas.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid; nodata if it is unknown.</source>
+        <translation>Nombre de photos qui montrent chaque cellule, sur la grille du MNT ; nodata si ce nombre est inconnu.</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -211,23 +212,23 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Judges every cell of the elevation model in range: is it seen, and does it lie in the picture? &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; only heading and horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; none of them.</source>
-        <translation>Examine chaque cellule du modèle numérique de terrain à portée : est-elle vue, et se trouve-t-elle dans l'image ? &lt;i&gt;Cadre de la photo&lt;/i&gt; utilise l'azimut de visée, le tangage, le roulis et les deux angles de champ ; &lt;i&gt;secteur de visée&lt;/i&gt; seulement l'azimut et l'angle de champ horizontal ; &lt;i&gt;cercle complet&lt;/i&gt; rien de cela.</translation>
+        <source>Tests for every cell of the elevation model in range whether it is visible from the camera and lies inside the picture. &lt;i&gt;Photo frame&lt;/i&gt; uses heading, pitch, roll and both fields of view; &lt;i&gt;heading wedge&lt;/i&gt; uses only the heading and the horizontal field of view; &lt;i&gt;full circle&lt;/i&gt; uses none of them.</source>
+        <translation>Vérifie, pour chaque cellule du modèle numérique de terrain à portée, si elle est visible depuis l'appareil et se trouve dans l'image. &lt;i&gt;Cadre de la photo&lt;/i&gt; utilise l'azimut de visée, le tangage, le roulis et les deux angles de champ ; &lt;i&gt;secteur de visée&lt;/i&gt; utilise seulement l'azimut de visée et l'angle de champ horizontal ; &lt;i&gt;cercle complet&lt;/i&gt; n'en utilise aucun.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>The raster lies on the DEM's grid and counts the photographs that see a cell; nodata where that is unknown. Polygons carry the area on the ellipsoid (m²) and the farthest distance (m). Azimuths are true and distances ground metres, whatever the coordinate system.</source>
-        <translation>Le raster suit la grille du MNT et compte les photos qui voient une cellule ; nodata là où on ne le sait pas. Les polygones portent la surface sur l'ellipsoïde (m²) et la plus grande distance (m). Les azimuts sont géographiques et les distances en mètres au sol, quel que soit le système de coordonnées.</translation>
+        <source>The raster uses the DEM's grid and counts the photographs that show each cell; cells for which this is unknown are nodata. The polygons have the area on the ellipsoid (m²) and the farthest distance (m) as attributes. Azimuths count from true north and distances are ground metres, whatever the coordinate system.</source>
+        <translation>Le raster utilise la grille du MNT et compte les photos qui montrent chaque cellule ; les cellules pour lesquelles ce nombre est inconnu sont nodata. Les polygones ont pour attributs la surface sur l'ellipsoïde (m²) et la plus grande distance (m). Les azimuts sont comptés depuis le nord géographique et les distances sont en mètres au sol, quel que soit le système de coordonnées.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Under Advanced: layers per cell (distance, elevation angle, how much higher a target must be to be seen, place in the picture), probabilities that carry the errors of pose, position and DEM, and the photographs' own skylines, whose foreground hides ground. Photographs from exactly one place are computed together.</source>
-        <translation>Sous Avancé : couches par cellule (distance, angle de hauteur, de combien une cible doit être plus haute pour être vue, place dans l'image), probabilités tenant compte des erreurs d'orientation, de position et du MNT, et lignes d'horizon des photos elles-mêmes, dont le premier plan cache du terrain. Les photos prises exactement au même endroit sont calculées ensemble.</translation>
+        <source>Advanced options: layers with values per cell (distance, elevation angle, how much higher a target must be to be visible, position in the picture), probabilities that account for the errors of pose, position and DEM, and the photographs' own skylines, which exclude ground that the foreground hides. Photographs from exactly the same place are computed together.</source>
+        <translation>Options avancées : couches avec des valeurs par cellule (distance, angle de hauteur, de combien une cible doit être plus haute pour être visible, position dans l'image), probabilités tenant compte des erreurs d'orientation, de position et du MNT, et lignes d'horizon des photos elles-mêmes, qui excluent le terrain caché par le premier plan. Les photos prises exactement au même endroit sont calculées ensemble.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>A run that was stopped is repeated as it was: what lies finished in the folders of rasters, layers and probabilities is taken from there if DEM, pose and settings are still the same.</source>
-        <translation>Un traitement interrompu se répète tel quel : ce qui se trouve terminé dans les dossiers des rasters, des couches et des probabilités y est repris si le MNT, l'orientation et les réglages sont restés les mêmes.</translation>
+        <source>To continue a run that was stopped, repeat it with the same parameters. Finished files in the folders of rasters, layers and probabilities are reused if the DEM, the pose and the settings have not changed.</source>
+        <translation>Pour poursuivre un traitement interrompu, répétez-le avec les mêmes paramètres. Les fichiers terminés dans les dossiers des rasters, des couches et des probabilités sont réutilisés si le MNT, l'orientation et les réglages n'ont pas changé.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -304,8 +305,8 @@
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Of the upright picture.</source>
-        <translation>De l'image redressée.</translation>
+        <source>Field of view of the upright picture.</source>
+        <translation>Angle de champ de l'image redressée.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -346,8 +347,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
-        <source>Of the 90 % interval, for probabilities. NULL: a standard deviation of 0.5° stands for it.</source>
-        <translation>De l'intervalle à 90 %, pour les probabilités. NULL : un écart type de 0,5° en tient lieu.</translation>
+        <source>End of the 90 % interval, used for probabilities. NULL: a standard deviation of 0.5° is used instead.</source>
+        <translation>Borne de l'intervalle à 90 %, utilisée pour les probabilités. NULL : un écart type de 0,5° est utilisé à la place.</translation>
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
@@ -376,13 +377,13 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>Every cell that a photograph sees takes the colour of the pixels that show it; the rest is transparent. Several photographs are blended: the one with the finer view of a cell prevails, and each fades out towards its edges.</source>
-        <translation>Chaque cellule vue par une photo prend la couleur des pixels qui la montrent ; le reste est transparent. Plusieurs photos sont fondues : celle qui voit la cellule le plus finement l'emporte, et chacune s'estompe vers ses bords.</translation>
+        <source>Each cell that a photograph shows gets the colour of the pixels that show it; all other cells are transparent. If several photographs show a cell, their colours are blended: the photograph with the finest resolution there has the greatest weight, and each photograph fades out towards its edges.</source>
+        <translation>Chaque cellule montrée par une photo prend la couleur des pixels qui la montrent ; toutes les autres cellules sont transparentes. Si plusieurs photos montrent une cellule, leurs couleurs sont fondues : la photo dont la résolution y est la plus fine a le plus grand poids, et chaque photo s'estompe vers ses bords.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
-        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long where the view grazes. Trees and people in the picture are draped too: the DEM does not know them.</source>
-        <translation>Le second raster donne la résolution au sol de la meilleure photo en mètres par pixel : bande 1 en travers de la ligne de visée, bande 2 le long de celle-ci sur la pente, grande là où la vue est rasante. Les arbres et les personnes de l'image sont drapés aussi : le MNT ne les connaît pas.</translation>
+        <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
+        <translation>Le second raster donne la résolution au sol de la meilleure photo en mètres par pixel : bande 1 en travers de la ligne de visée, bande 2 le long de celle-ci sur la pente, grande si la ligne de visée rase le terrain. Les arbres et les personnes de l'image sont drapés aussi, car le MNT ne les contient pas.</translation>
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
@@ -457,18 +458,18 @@
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Writes one row per picture column: &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel at 0, row = first terrain pixel), &lt;b&gt;confidence&lt;/b&gt; runs from 0 (no believable boundary, interpolated) to 1.</source>
-        <translation>Écrit une ligne par colonne de l'image : &lt;b&gt;column&lt;/b&gt; et &lt;b&gt;row&lt;/b&gt; sont des pixels de l'image entière redressée (le premier pixel vaut 0, row = premier pixel de terrain), &lt;b&gt;confidence&lt;/b&gt; va de 0 (aucune limite crédible, interpolé) à 1.</translation>
+        <source>Writes one row per picture column. &lt;b&gt;column&lt;/b&gt; and &lt;b&gt;row&lt;/b&gt; are pixels of the full upright picture (the first pixel is 0; row is the first terrain pixel). &lt;b&gt;confidence&lt;/b&gt; ranges from 0 (no plausible boundary, interpolated) to 1.</source>
+        <translation>Écrit une ligne par colonne de l'image. &lt;b&gt;column&lt;/b&gt; et &lt;b&gt;row&lt;/b&gt; sont des pixels de l'image entière redressée (le premier pixel vaut 0 ; row est le premier pixel de terrain). &lt;b&gt;confidence&lt;/b&gt; va de 0 (aucune limite plausible, interpolé) à 1.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Correct the table by hand and give it to &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt; where the automatic skyline is wrong. Overlays are PNG pictures to judge it by.</source>
-        <translation>Là où la ligne d'horizon automatique est fausse, corrigez la table à la main et donnez-la à &lt;i&gt;Orienter des photos&lt;/i&gt; comme &lt;i&gt;Lignes d'horizon dessinées&lt;/i&gt;. Les superpositions sont des images PNG pour en juger.</translation>
+        <source>If the automatic skyline is wrong, correct the table by hand and use it in &lt;i&gt;Orient photos&lt;/i&gt; as &lt;i&gt;Drawn skylines&lt;/i&gt;. The overlays are PNG pictures for checking the skyline.</source>
+        <translation>Si la ligne d'horizon automatique est fausse, corrigez la table à la main et utilisez-la dans &lt;i&gt;Orienter des photos&lt;/i&gt; comme &lt;i&gt;Lignes d'horizon dessinées&lt;/i&gt;. Les superpositions sont des images PNG qui servent à vérifier la ligne d'horizon.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
-        <source>Robust: the likeliest line as a whole, also through haze, clouds and noise. Paper: the published filters, column by column.</source>
-        <translation>Robuste : la ligne la plus probable dans son ensemble, même à travers brume, nuages et bruit. Article : les filtres publiés, colonne par colonne.</translation>
+        <source>Robust: finds the most likely line as a whole, even with haze, clouds and noise. Paper: uses the published filters, column by column.</source>
+        <translation>Robuste : trouve la ligne la plus probable dans son ensemble, même avec de la brume, des nuages et du bruit. Article : utilise les filtres publiés, colonne par colonne.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -547,18 +548,18 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>For each point and azimuth: the elevation angle of the horizon, how far away it is, and where. Azimuths are true, distances are ground metres in any coordinate system of the DEM; the earth's curvature and refraction are taken into account.</source>
-        <translation>Pour chaque point et chaque azimut : la hauteur angulaire de l'horizon, sa distance et sa position. Les azimuts sont géographiques, les distances en mètres au sol dans tout système de coordonnées du MNT ; la courbure de la Terre et la réfraction sont prises en compte.</translation>
+        <source>Computes the elevation angle, the distance and the position of the horizon for each point and azimuth. Azimuths count from true north and distances are ground metres in any coordinate system of the DEM. The earth's curvature and refraction are taken into account.</source>
+        <translation>Calcule la hauteur angulaire, la distance et la position de l'horizon pour chaque point et chaque azimut. Les azimuts sont comptés depuis le nord géographique et les distances sont en mètres au sol dans tout système de coordonnées du MNT. La courbure de la Terre et la réfraction sont prises en compte.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>&lt;b&gt;clipped&lt;/b&gt; is true where the elevation model ends before the search range and higher terrain could stand beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
-        <translation>&lt;b&gt;clipped&lt;/b&gt; est vrai là où le MNT s'arrête avant la portée de recherche et où un terrain plus haut pourrait se trouver au-delà. &lt;b&gt;svf&lt;/b&gt; est le facteur de vue du ciel du point d'origine (1 = ciel dégagé).</translation>
+        <source>&lt;b&gt;clipped&lt;/b&gt; is true if the elevation model ends before the search range and there could be higher terrain beyond it. &lt;b&gt;svf&lt;/b&gt; is the sky view factor of the source point (1 = open sky).</source>
+        <translation>&lt;b&gt;clipped&lt;/b&gt; est vrai si le MNT s'arrête avant la portée de recherche et qu'un terrain plus haut pourrait se trouver au-delà. &lt;b&gt;svf&lt;/b&gt; est le facteur de vue du ciel du point d'origine (1 = ciel dégagé).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>Under Advanced a raster of the sky view factors of all cells in an extent can be had, each cell's own slope taken into account (Dozier and Frew 1990).</source>
-        <translation>Sous Avancé, on obtient aussi un raster des facteurs de vue du ciel de toutes les cellules d'une emprise, compte tenu de la pente de chacune (Dozier et Frew 1990).</translation>
+        <source>Under Advanced you can add a raster with the sky view factor of each cell in an extent, which takes the cell's own slope into account (Dozier and Frew 1990).</source>
+        <translation>Sous Avancé, vous pouvez ajouter un raster du facteur de vue du ciel de chaque cellule d'une emprise, qui tient compte de la pente propre de la cellule (Dozier et Frew 1990).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -569,8 +570,8 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the eye stands, in any coordinate system.</source>
-        <translation>Où se tient l'œil, dans tout système de coordonnées.</translation>
+        <source>Positions of the observer's eye, in any coordinate system.</source>
+        <translation>Positions de l'œil de l'observateur, dans tout système de coordonnées.</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -591,8 +592,8 @@
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
-        <source>One point per azimuth, where the horizon stands, with elevation angle (°) and distance (m).</source>
-        <translation>Un point par azimut, là où se trouve l'horizon, avec hauteur angulaire (°) et distance (m).</translation>
+        <source>One point per azimuth at the position of the horizon, with elevation angle (°) and distance (m).</source>
+        <translation>Un point par azimut à la position de l'horizon, avec hauteur angulaire (°) et distance (m).</translation>
     </message>
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
@@ -664,12 +665,12 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>What a file does not say stays NULL. Photographs without a usable position, and files that cannot be read, go to the optional table of rejected photographs with the reason.</source>
-        <translation>Ce qu'un fichier ne dit pas reste NULL. Les photos sans position utilisable et les fichiers illisibles vont, avec la raison, dans la table facultative des photos rejetées.</translation>
+        <source>Values that a file does not contain are NULL. The optional table of rejected photographs lists photographs without a usable position and files that cannot be read, with the reason.</source>
+        <translation>Les valeurs qu'un fichier ne contient pas sont NULL. La table facultative des photos rejetées répertorie les photos sans position utilisable et les fichiers illisibles, avec la raison.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>JPEG and HEIC files are read by content.</source>
+        <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>Les fichiers JPEG et HEIC sont reconnus à leur contenu.</translation>
     </message>
     <message>
@@ -684,8 +685,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Table of the files that give no point, each with the reason.</source>
-        <translation>Table des fichiers qui ne donnent pas de point, chacun avec la raison.</translation>
+        <source>Table of the files that produced no point, with the reason.</source>
+        <translation>Table des fichiers qui n'ont produit aucun point, avec la raison.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -719,18 +720,18 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Which summits are in the picture, visible, how far and where; annotated PNG and SVG</source>
-        <translation>Quels sommets sont dans l'image, visibles ou non, à quelle distance et où ; PNG et SVG annotés</translation>
+        <source>Summits in the picture with visibility, distance and position; annotated PNG and SVG</source>
+        <translation>Sommets dans l'image avec visibilité, distance et position ; PNG et SVG annotés</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Takes a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each is set onto the DEM's own top near by, since published places and coarse DEMs differ by hundreds of metres, and asked whether the photo shows it.</source>
-        <translation>Prend une couche de points avec noms et altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), ou cherche les sommets dans le MNT d'après leur proéminence. Chacun est posé sur le point haut voisin du MNT, car les positions publiées et les MNT grossiers diffèrent de centaines de mètres ; puis on cherche si la photo le montre.</translation>
+        <source>Uses a point layer with names and heights (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), or finds summits in the elevation model by their prominence. Each published summit is moved to the nearby top in the DEM, because published positions and coarse DEMs differ by hundreds of metres. Then its visibility in the photo is tested.</source>
+        <translation>Utilise une couche de points avec noms et altitudes (OpenStreetMap &lt;i&gt;natural=peak&lt;/i&gt;, GeoNames), ou cherche les sommets dans le MNT d'après leur proéminence. Chaque sommet publié est déplacé vers le point haut voisin du MNT, car les positions publiées et les MNT grossiers diffèrent de centaines de mètres. Sa visibilité dans la photo est ensuite vérifiée.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Labels never overlap; the more important summit (by prominence, else by height above the others in view) gets the better place. Those without room are left out of the picture, not of the layer.</source>
-        <translation>Les étiquettes ne se chevauchent jamais ; le sommet le plus important (par proéminence, sinon par sa hauteur au-dessus des autres en vue) obtient la meilleure place. Ceux qui ne trouvent pas de place manquent dans l'image, pas dans la couche.</translation>
+        <source>Labels never overlap. The more important summit (by prominence, otherwise by height above the others in view) gets the better place. Labels without room are left out of the picture; the layer contains all summits.</source>
+        <translation>Les étiquettes ne se chevauchent jamais. Le sommet le plus important (par proéminence, sinon par sa hauteur au-dessus des autres en vue) obtient la meilleure place. Les étiquettes sans place sont omises de l'image ; la couche contient tous les sommets.</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -739,8 +740,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>One point per summit and photo in whose frame it lies, with name, distance (m) and place in the picture (px).</source>
-        <translation>Un point par sommet et par photo dont il est dans le cadre, avec nom, distance (m) et place dans l'image (px).</translation>
+        <source>One point for each photo and each summit in its frame, with name, distance (m) and position in the picture (px).</source>
+        <translation>Un point pour chaque photo et chaque sommet dans son cadre, avec nom, distance (m) et position dans l'image (px).</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -769,8 +770,8 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Height as published, else of the DEM (m)</source>
-        <translation>Altitude publiée, sinon celle du MNT (m)</translation>
+        <source>Published height, otherwise height in the DEM (m)</source>
+        <translation>Altitude publiée, sinon altitude dans le MNT (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
@@ -784,7 +785,7 @@
     </message>
     <message>
         <location filename="../algorithms/label_peaks.py"/>
-        <source>Prominence in the DEM (m), where summits were searched</source>
+        <source>Prominence in the DEM (m), if summits were searched</source>
         <translation>Proéminence dans le MNT (m), si les sommets ont été cherchés</translation>
     </message>
     <message>
@@ -836,13 +837,13 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points, lines (a trail) and areas (a glacier's outline of 1900) become image coordinates. Lines and outlines follow the terrain and are cut where they go behind it or out of the picture; each piece says &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). Areas also tell which share of them is seen.</source>
-        <translation>Les points, les lignes (un sentier) et les surfaces (le contour d'un glacier de 1900) deviennent des coordonnées image. Lignes et contours suivent le relief et sont coupés là où ils passent derrière lui ou sortent de l'image ; chaque morceau dit &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (caché), &lt;b&gt;outside&lt;/b&gt; (hors cadre) ou &lt;b&gt;unknown&lt;/b&gt; (pas d'altitude à cet endroit). Les surfaces disent aussi quelle part en est vue.</translation>
+        <source>Converts points, lines (such as a trail) and areas (such as a glacier's outline of 1900) to image coordinates. Lines and outlines follow the terrain and are cut where they disappear behind it or leave the picture. The state of each piece is &lt;b&gt;visible&lt;/b&gt;, &lt;b&gt;hidden&lt;/b&gt;, &lt;b&gt;outside&lt;/b&gt; or &lt;b&gt;unknown&lt;/b&gt; (no elevation there). For areas, the visible share is given as well.</source>
+        <translation>Convertit des points, des lignes (comme un sentier) et des surfaces (comme le contour d'un glacier de 1900) en coordonnées image. Lignes et contours suivent le relief et sont coupés là où ils disparaissent derrière lui ou sortent de l'image. L'état de chaque morceau est &lt;b&gt;visible&lt;/b&gt; (visible), &lt;b&gt;hidden&lt;/b&gt; (caché), &lt;b&gt;outside&lt;/b&gt; (hors cadre) ou &lt;b&gt;unknown&lt;/b&gt; (pas d'altitude à cet endroit). Pour les surfaces, la part visible est également donnée.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>The output's coordinates are those of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner; load the photo beside it. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, y down.</source>
-        <translation>Les coordonnées de sortie sont celles de l'image telle que QGIS la montre sans géoréférencement : x vers la droite, y négatif vers le bas depuis le coin supérieur gauche ; chargez la photo à côté. Les champs &lt;b&gt;x_px&lt;/b&gt; et &lt;b&gt;y_px&lt;/b&gt; comptent depuis le centre du premier pixel, y vers le bas.</translation>
+        <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
+        <translation>La sortie a les coordonnées de l'image telle que QGIS la montre sans géoréférencement : x vers la droite, y négatif vers le bas depuis le coin supérieur gauche. Chargez-la avec la photo. Les champs &lt;b&gt;x_px&lt;/b&gt; et &lt;b&gt;y_px&lt;/b&gt; comptent depuis le centre du premier pixel, y vers le bas.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -851,8 +852,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>In any coordinate system. Heights are taken from the DEM unless Z is to be used.</source>
-        <translation>Dans tout système de coordonnées. Les altitudes viennent du MNT, sauf si Z doit être utilisé.</translation>
+        <source>Points, lines or areas in any coordinate system. Heights are taken from the DEM; Z values are ignored.</source>
+        <translation>Points, lignes ou surfaces dans tout système de coordonnées. Les altitudes viennent du MNT ; les valeurs Z sont ignorées.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -874,8 +875,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Of what is to be seen.</source>
-        <translation>De ce qui doit être vu.</translation>
+        <source>Height of points above the ground. Lines and areas lie on the ground.</source>
+        <translation>Hauteur des points au-dessus du sol. Les lignes et les surfaces sont posées au sol.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -885,8 +886,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>How finely lines are followed.</source>
-        <translation>Finesse avec laquelle les lignes sont suivies.</translation>
+        <source>Lines are followed in steps of this length.</source>
+        <translation>Les lignes sont suivies par pas de cette longueur.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -895,8 +896,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, rows as negative y; state says whether the photo shows them.</source>
-        <translation>Points en pixels de l'image redressée, lignes en y négatif ; state dit si la photo les montre.</translation>
+        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
+        <translation>Points en pixels de l'image redressée, avec y négatif pour les lignes de pixels. Le champ state indique si la photo les montre.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -905,8 +906,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, rows as negative y, cut where they go out of sight.</source>
-        <translation>Lignes et contours en pixels de l'image redressée, lignes en y négatif, coupés là où ils sortent de la vue.</translation>
+        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
+        <translation>Lignes et contours en pixels de l'image redressée, avec y négatif pour les lignes de pixels, coupés là où leur visibilité change.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -955,8 +956,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view come from fields width, height, hfov, vfov where they exist, else from the photo file, by the published rule. The output has the means of the absolute offsets per photograph; the means over all pairs are given as results.</source>
-        <translation>La table a besoin des champs photo, x_extracted, y_extracted, x_synthetic, y_synthetic (ou x1, y1, x2, y2). La taille de l'image et les angles de champ viennent des champs width, height, hfov, vfov s'ils existent, sinon du fichier photo selon la règle publiée. La sortie donne les moyennes des écarts absolus par photo ; les moyennes sur toutes les paires figurent dans les résultats.</translation>
+        <source>The table needs the fields photo, x_extracted, y_extracted, x_synthetic, y_synthetic (or x1, y1, x2, y2). Picture size and fields of view are read from the fields width, height, hfov and vfov if they exist, otherwise from the photo file by the published rule. The output contains the means of the absolute offsets per photograph; the means over all pairs are returned as results.</source>
+        <translation>La table a besoin des champs photo, x_extracted, y_extracted, x_synthetic, y_synthetic (ou x1, y1, x2, y2). La taille de l'image et les angles de champ sont lus dans les champs width, height, hfov et vfov s'ils existent, sinon dans le fichier photo selon la règle publiée. La sortie contient les moyennes des écarts absolus par photo ; les moyennes sur toutes les paires sont renvoyées comme résultats.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -975,8 +976,8 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
-        <source>Left empty: the first of {names} that the table has.</source>
-        <translation>Vide : le premier de {names} que la table contient.</translation>
+        <source>If this is empty, the first of {names} that the table contains is used.</source>
+        <translation>Si ce champ est vide, le premier de {names} que la table contient est utilisé.</translation>
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
@@ -1065,13 +1066,13 @@
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>Compares the skyline in each photograph with the horizon that the elevation model has at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
-        <translation>Compare la ligne d'horizon de chaque photo à l'horizon que le modèle numérique de terrain a à sa position, sur tous les azimuts, et ajuste azimut de visée, tangage, roulis et focale. Aucune boussole n'est nécessaire.</translation>
+        <source>Compares the skyline in each photograph with the horizon computed from the elevation model at its position, over all headings, and fits heading, pitch, roll and focal length. No compass is needed.</source>
+        <translation>Compare la ligne d'horizon de chaque photo à l'horizon calculé à sa position d'après le modèle numérique de terrain, sur tous les azimuts, et ajuste azimut de visée, tangage, roulis et focale. Aucune boussole n'est nécessaire.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
-        <source>&lt;b&gt;status&lt;/b&gt;: &lt;i&gt;accepted&lt;/i&gt; (trust it), &lt;i&gt;ambiguous&lt;/i&gt; (another heading is nearly as good; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (no usable skyline or nothing fits), &lt;i&gt;failed&lt;/i&gt; (the input is at fault); &lt;b&gt;message&lt;/b&gt; says why and what to do. heading_lo and heading_hi enclose the true heading with 90 %; of an accepted photo they do if its heading is the right one, and &lt;b&gt;p_correct&lt;/b&gt; says how sure that is.</source>
-        <translation>&lt;b&gt;status&lt;/b&gt; : &lt;i&gt;accepted&lt;/i&gt; (acceptée : fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambiguë : un autre azimut convient presque aussi bien ; voir heading_2 et le rapport), &lt;i&gt;rejected&lt;/i&gt; (rejetée : pas de ligne d'horizon utilisable, ou rien ne convient), &lt;i&gt;failed&lt;/i&gt; (échec : l'entrée est en cause) ; &lt;b&gt;message&lt;/b&gt; dit pourquoi et que faire. heading_lo et heading_hi encadrent le vrai azimut à 90 % ; pour une photo acceptée, si son azimut est le bon, et &lt;b&gt;p_correct&lt;/b&gt; dit à quel point c'est sûr.</translation>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the answer can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (another heading fits nearly as well, or the fit is weak; see heading_2 and the report), &lt;i&gt;rejected&lt;/i&gt; (there is no usable skyline, or no heading fits) or &lt;i&gt;failed&lt;/i&gt; (the input cannot be used). &lt;b&gt;message&lt;/b&gt; gives the reason and suggests what to do. heading_lo and heading_hi enclose the true heading with a probability of 90 %. For an accepted photo this holds if its heading is the right one; &lt;b&gt;p_correct&lt;/b&gt; is the probability of that.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; est &lt;i&gt;accepted&lt;/i&gt; (acceptée : la réponse est fiable), &lt;i&gt;ambiguous&lt;/i&gt; (ambiguë : un autre azimut convient presque aussi bien, ou l'ajustement est faible ; voir heading_2 et le rapport), &lt;i&gt;rejected&lt;/i&gt; (rejetée : il n'y a pas de ligne d'horizon utilisable, ou aucun azimut ne convient) ou &lt;i&gt;failed&lt;/i&gt; (échec : l'entrée n'est pas utilisable). &lt;b&gt;message&lt;/b&gt; donne la raison et suggère que faire. heading_lo et heading_hi encadrent le vrai azimut avec une probabilité de 90 %. Pour une photo acceptée, cela vaut si son azimut est le bon ; &lt;b&gt;p_correct&lt;/b&gt; en est la probabilité.</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1096,13 +1097,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Horizon and inner ridges all round a point, labelled, as SVG and PNG and as map lines</source>
-        <translation>Horizon et crêtes intérieures tout autour d'un point, étiquetés, en SVG et PNG et en lignes sur la carte</translation>
+        <source>Labelled horizon and inner ridges in all directions from a point, as SVG, PNG and map lines</source>
+        <translation>Horizon et crêtes intérieures étiquetés dans toutes les directions depuis un point, en SVG, PNG et lignes sur la carte</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Draws, for each point, the horizon and every inner ridge that hides ground behind it; near ones dark and strong, far ones pale. Summits come from a layer, or from the DEM by prominence. Oriented photo points near by (optional) show their frames in place.</source>
-        <translation>Dessine, pour chaque point, l'horizon et chaque crête intérieure qui cache du terrain ; les proches sombres et marquées, les lointaines pâles. Les sommets viennent d'une couche, ou du MNT d'après leur proéminence. Les points de photos orientées voisins (facultatif) montrent leur cadre à sa place.</translation>
+        <source>For each point, draws the horizon and every inner ridge that hides ground behind it. Near ridges are dark and thick, distant ones pale. Summits come from a layer, or are found in the DEM by their prominence. Optionally, the frames of oriented photos near the point are drawn.</source>
+        <translation>Dessine, pour chaque point, l'horizon et chaque crête intérieure qui cache du terrain derrière elle. Les crêtes proches sont sombres et épaisses, les lointaines pâles. Les sommets viennent d'une couche, ou sont trouvés dans le MNT d'après leur proéminence. En option, les cadres des photos orientées proches du point sont dessinés.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1111,13 +1112,13 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Those within 100 m of a point show their frames; fields heading, pitch, roll, hfov, vfov.</source>
-        <translation>Ceux à moins de 100 m d'un point montrent leur cadre ; champs heading, pitch, roll, hfov, vfov.</translation>
+        <source>The frames of photos within 100 m of a point are drawn, from the fields heading, pitch, roll, hfov and vfov.</source>
+        <translation>Les cadres des photos à moins de 100 m d'un point sont dessinés, d'après les champs heading, pitch, roll, hfov et vfov.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Between rays.</source>
-        <translation>Entre les rayons.</translation>
+        <source>Angle between neighbouring rays.</source>
+        <translation>Angle entre deux rayons voisins.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1126,8 +1127,8 @@
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
-        <source>Where the strip begins.</source>
-        <translation>Où commence la bande.</translation>
+        <source>Azimuth at which the panorama begins.</source>
+        <translation>Azimut auquel commence le panorama.</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1221,8 +1222,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The table tells how much each photograph sees, and which of them are needed: as few as possible that together see all that the collection sees, in the order of what each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true where no smaller choice exists.</source>
-        <translation>La table dit combien chaque photo montre, et lesquelles sont nécessaires : aussi peu que possible qui montrent ensemble tout ce que montre la collection, dans l'ordre de ce que chacune ajoute (&lt;b&gt;pick&lt;/b&gt;). PROVEN est vrai s'il n'existe pas de choix plus petit.</translation>
+        <source>The table gives how much each photograph shows, and which photographs are needed: as few as possible that together show everything the collection shows, in the order of how much each adds (&lt;b&gt;pick&lt;/b&gt;). PROVEN is true if it was proven that no smaller selection exists.</source>
+        <translation>La table indique combien chaque photo montre, et quelles photos sont nécessaires : aussi peu que possible qui montrent ensemble tout ce que montre la collection, dans l'ordre de ce que chacune ajoute (&lt;b&gt;pick&lt;/b&gt;). PROVEN est vrai s'il a été prouvé qu'il n'existe pas de sélection plus petite.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1232,13 +1233,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>Only the ground inside counts. Empty: the whole DEM, or as much of it as is within reach of a photo.</source>
-        <translation>Seul le terrain à l'intérieur compte. Vide : tout le MNT, pour autant qu'il soit à portée d'une photo.</translation>
+        <source>Only ground inside the area counts. If this is empty, all ground of the DEM within the maximum distance of the photos counts.</source>
+        <translation>Seul le terrain à l'intérieur de la zone compte. Si aucune zone n'est indiquée, tout le terrain du MNT compte jusqu'à la distance maximale des photos.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>On the DEM's grid: how many photographs see each cell; 0 is a blind spot, nodata lies outside the area.</source>
-        <translation>Sur la grille du MNT : combien de photos voient chaque cellule ; 0 est un angle mort, nodata est hors de la zone.</translation>
+        <source>Number of photographs that show each cell, on the DEM's grid. 0 is a blind spot; nodata is outside the area.</source>
+        <translation>Nombre de photos qui montrent chaque cellule, sur la grille du MNT. 0 est un angle mort ; nodata est hors de la zone.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1258,8 +1259,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>One row per photograph: the ground that it sees, and in which order the needed ones add most.</source>
-        <translation>Une ligne par photo : le terrain qu'elle voit, et dans quel ordre les photos nécessaires ajoutent le plus.</translation>
+        <source>One row per photograph with the ground that it shows and, if it is needed, its place in the selection.</source>
+        <translation>Une ligne par photo avec le terrain qu'elle montre et, si elle est nécessaire, sa place dans la sélection.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1288,8 +1289,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>The area is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>La zone est vide, ou se trouve hors d'atteinte du SCR du MNT.</translation>
+        <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>La zone est vide, ou se trouve hors de la région pour laquelle le SCR du MNT est valable.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1308,13 +1309,13 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Reads geotagged photographs, finds for each which way it looks from its skyline and the elevation model, and computes the ground that it shows. Choose a folder, or a layer of photo points.</source>
-        <translation>Lit des photos géolocalisées, trouve pour chacune dans quelle direction elle regarde, d'après sa ligne d'horizon et le modèle numérique de terrain, et calcule le terrain qu'elle montre. Choisissez un dossier, ou une couche de points de photos.</translation>
+        <source>Reads geotagged photographs, finds the heading of each from its skyline and the elevation model, and computes the ground that it shows. Choose a folder or a layer of photo points.</source>
+        <translation>Lit des photos géolocalisées, trouve l'azimut de visée de chacune d'après sa ligne d'horizon et le modèle numérique de terrain, et calcule le terrain qu'elle montre. Choisissez un dossier ou une couche de points de photos.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Open the report to judge each match: one card per photograph, with the horizon drawn over the picture. Photographs whose heading is doubtful (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you ask for it under Advanced; with the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all get one.</source>
-        <translation>Ouvrez le rapport pour juger chaque appariement : une fiche par photo, avec l'horizon dessiné sur l'image. Les photos dont l'azimut est douteux (statut &lt;i&gt;ambiguous&lt;/i&gt;) n'ont pas de bassin visuel, sauf si vous le demandez sous Avancé ; avec la méthode &lt;i&gt;article&lt;/i&gt;, qui ne vérifie pas ses réponses, toutes en ont un.</translation>
+        <source>Open the report to check each match: it has one card per photograph, with the horizon drawn over the picture. Photographs with a doubtful heading (status &lt;i&gt;ambiguous&lt;/i&gt;) get no viewshed unless you request it under Advanced. With the &lt;i&gt;paper&lt;/i&gt; method, which does not test its answers, all photographs get one.</source>
+        <translation>Ouvrez le rapport pour vérifier chaque appariement : il contient une fiche par photo, avec l'horizon dessiné sur l'image. Les photos dont l'azimut est douteux (statut &lt;i&gt;ambiguous&lt;/i&gt;) n'ont pas de bassin visuel, sauf si vous le demandez sous Avancé. Avec la méthode &lt;i&gt;article&lt;/i&gt;, qui ne vérifie pas ses réponses, toutes les photos en ont un.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1323,13 +1324,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>How far from the camera ground is looked for that the photo shows, in ground metres.</source>
-        <translation>Jusqu'à quelle distance de l'appareil on cherche du terrain que montre la photo, en mètres au sol.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Folders inside the folder too</source>
-        <translation>Sous-dossiers du dossier aussi</translation>
+        <source>Maximum viewshed distance from the camera, in metres on the ground.</source>
+        <translation>Distance maximale du bassin visuel depuis l'appareil, en mètres au sol.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1343,8 +1339,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Show the ground for the best heading even where another is as likely.</source>
-        <translation>Montre le terrain du meilleur azimut même si un autre est aussi probable.</translation>
+        <source>Computes the ground for the best heading even if another heading is as likely.</source>
+        <translation>Calcule le terrain pour le meilleur azimut même si un autre azimut est aussi probable.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1363,28 +1359,28 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Each pixel's line of sight is followed to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. Pixels that meet the sky, a hole in the DEM or its edge say so in &lt;b&gt;status&lt;/b&gt;.</source>
-        <translation>La ligne de visée de chaque pixel est suivie jusqu'au modèle numérique de terrain, avec la courbure de la Terre et la réfraction. Lignes et contours sont suivis pixel par pixel et coupés là où le terrain saute à l'arrière. Les pixels qui rencontrent le ciel, une lacune du MNT ou son bord le disent dans &lt;b&gt;status&lt;/b&gt;.</translation>
+        <source>Follows the line of sight of each pixel to the elevation model, with the earth's curvature and refraction. Lines and outlines are followed pixel by pixel and cut where the ground behind them jumps. If a pixel shows the sky, or its line of sight enters a void of the DEM or reaches its edge, the field &lt;b&gt;status&lt;/b&gt; records this.</source>
+        <translation>Suit la ligne de visée de chaque pixel jusqu'au modèle numérique de terrain, avec la courbure de la Terre et la réfraction. Lignes et contours sont suivis pixel par pixel et coupés là où le terrain saute à l'arrière. Si un pixel montre le ciel, ou si sa ligne de visée entre dans une lacune du MNT ou atteint son bord, le champ &lt;b&gt;status&lt;/b&gt; l'indique.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>The error ellipse holds the true place with the chosen probability, given the uncertainty of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows other ground altogether, beyond an edge in the picture: beware of it near ridges.</source>
-        <translation>L'ellipse d'erreur contient la vraie position avec la probabilité choisie, compte tenu de l'incertitude de l'azimut, du tangage, du roulis, de la focale, de la position et du MNT. &lt;b&gt;p_other&lt;/b&gt; est la probabilité que le pixel montre un tout autre terrain, au-delà d'une arête dans l'image : méfiez-vous près des crêtes.</translation>
+        <source>The error ellipse contains the true position with the chosen probability, given the uncertainties of heading, pitch, roll, focal length, position and DEM. &lt;b&gt;p_other&lt;/b&gt; is the probability that the pixel shows different ground, beyond an edge in the picture. It is often large near ridges.</source>
+        <translation>L'ellipse d'erreur contient la vraie position avec la probabilité choisie, compte tenu des incertitudes de l'azimut, du tangage, du roulis, de la focale, de la position et du MNT. &lt;b&gt;p_other&lt;/b&gt; est la probabilité que le pixel montre un autre terrain, au-delà d'une arête dans l'image. Elle est souvent grande près des crêtes.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Probability that the ellipse holds (%)</source>
-        <translation>Probabilité que l'ellipse contient (%)</translation>
+        <source>Probability of the error ellipse (%)</source>
+        <translation>Probabilité de l'ellipse d'erreur (%)</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>90 % is usual.</source>
-        <translation>90 % est usuel.</translation>
+        <source>Probability that the ellipse contains the true position; 90 % is usual.</source>
+        <translation>Probabilité que l'ellipse contienne la vraie position ; 90 % est usuel.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Lines and outlines are followed in steps of this.</source>
-        <translation>Lignes et contours sont suivis par pas de cette taille.</translation>
+        <source>Lines and outlines are followed in steps of this length.</source>
+        <translation>Les lignes et les contours sont suivis par pas de cette longueur.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1423,8 +1419,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>One ellipse per point, which holds the true place with the chosen probability.</source>
-        <translation>Une ellipse par point, qui contient le lieu véritable avec la probabilité choisie.</translation>
+        <source>One ellipse per point, which contains the true position with the chosen probability.</source>
+        <translation>Une ellipse par point, qui contient la vraie position avec la probabilité choisie.</translation>
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
@@ -1433,8 +1429,8 @@
     </message>
     <message>
         <location filename="../algorithms/pixel_to_map.py"/>
-        <source>Number of features that meet no ground</source>
-        <translation>Nombre d'entités qui ne rencontrent aucun terrain</translation>
+        <source>Number of features that show no ground</source>
+        <translation>Nombre d'entités qui ne montrent aucun terrain</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/core_sentences.py"/>
@@ -2095,18 +2091,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/image_features.py"/>
-        <source>The map features are empty, or lie where the DEM's CRS does not reach.</source>
-        <translation>Les entités de la carte sont vides, ou se trouvent hors d'atteinte du SCR du MNT.</translation>
+        <source>The map features are empty, or lie outside the region for which the DEM's CRS is valid.</source>
+        <translation>Les entités de la carte sont vides, ou se trouvent hors de la région pour laquelle le SCR du MNT est valable.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>One file per photo (some 2 MB), for this plugin only. A repeated run takes from it what has not changed since (photo, DEM, settings, version of the plugin), so that a run that was stopped goes on where it was.</source>
-        <translation>Un fichier par photo (environ 2 Mo), pour cette extension seule. Une exécution répétée y reprend ce qui n'a pas changé depuis (photo, MNT, réglages, version de l'extension), si bien qu'une exécution interrompue continue là où elle en était.</translation>
+        <source>One file per photo (about 2 MB), for this plugin only. A repeated run reuses each orientation for which nothing has changed (photo, DEM, settings, version of the plugin), so a run that was stopped continues where it stopped.</source>
+        <translation>Un fichier par photo (environ 2 Mo), pour cette extension seule. Une exécution répétée réutilise chaque orientation pour laquelle rien n'a changé (photo, MNT, réglages, version de l'extension), si bien qu'une exécution interrompue reprend là où elle s'est arrêtée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
-        <source>Folder that keeps orientations</source>
-        <translation>Dossier qui conserve les orientations</translation>
+        <source>Folder for finished orientations</source>
+        <translation>Dossier des orientations terminées</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/kept_orientations.py"/>
@@ -2353,8 +2349,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>Probability that it holds the true place</source>
-        <translation>Probabilité qu'elle contienne la vraie position</translation>
+        <source>Probability that the ellipse contains the true position</source>
+        <translation>Probabilité que l'ellipse contienne la vraie position</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -2368,8 +2364,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Of the upright picture, across its middle. NULL: from the focal length in the file.</source>
-        <translation>De l'image redressée, en travers de son milieu. NULL : d'après la focale du fichier.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
+        <translation>Angle de champ de l'image redressée, en travers de son milieu. NULL : calculé d'après la focale du fichier.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2383,13 +2379,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>For towers, cable cars and drones: the eye stands at the altitude in the file, where it counts from the sea, and not on the DEM. A phone's altitude is often 10 to 50 m off. A camera's elevation in a field comes first.</source>
-        <translation>Pour les tours, les téléphériques et les drones : l'œil se trouve à l'altitude du fichier, si elle se compte depuis la mer, et non sur le MNT. L'altitude d'un téléphone est souvent fausse de 10 à 50 m. Une altitude de l'appareil dans un champ l'emporte.</translation>
+        <source>For towers, cable cars and drones: uses the altitude in the file, if it counts from sea level, instead of the DEM plus camera height. A phone's altitude is often wrong by 10 to 50 m. The elevation in the field with the camera's elevation takes precedence.</source>
+        <translation>Pour les tours, les téléphériques et les drones : utilise l'altitude du fichier, si elle se compte depuis le niveau de la mer, au lieu du MNT plus la hauteur de l'appareil. L'altitude d'un téléphone est souvent fausse de 10 à 50 m. L'altitude du champ de l'altitude de l'appareil l'emporte.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>One point per photograph: all fields of the source, then heading, pitch, roll, field of view, how sure they are, status and message.</source>
-        <translation>Un point par photo : tous les champs de la source, puis azimut, tangage, roulis, angle de champ, leur fiabilité, statut et message.</translation>
+        <source>One point per photograph with all fields of the source, then heading, pitch, roll, field of view, their uncertainty, status and message.</source>
+        <translation>Un point par photo avec tous les champs de la source, puis azimut, tangage, roulis, angle de champ, leur incertitude, statut et message.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2403,8 +2399,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>An unforeseen fault of the program stopped this photo. Please report it with the log's details.</source>
-        <translation>Une erreur imprévue du programme a arrêté cette photo. Signalez-la, s'il vous plaît, avec les détails du journal.</translation>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2540,8 +2536,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position; a point without geometry takes the position in the photograph.</source>
-        <translation>Un point par photo, dans tout système de coordonnées, par exemple issu de « Importer des photos géolocalisées ». Le point est la position de l'appareil ; un point sans géométrie prend la position inscrite dans la photo.</translation>
+        <source>One point per photograph, in any coordinate system, for example from Import geotagged photos. The point is the camera's position. If a point has no geometry, the position recorded in the photograph is used.</source>
+        <translation>Un point par photo, dans tout système de coordonnées, par exemple issu de « Importer des photos géolocalisées ». Le point est la position de l'appareil. Si un point n'a pas de géométrie, la position inscrite dans la photo est utilisée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2555,8 +2551,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should reach as far as the mountains that are seen.</source>
-        <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre aussi loin que les montagnes visibles.</translation>
+        <source>Any raster with heights in metres and a coordinate system, projected or geographic. It should extend to the mountains that are visible.</source>
+        <translation>Tout raster d'altitudes en mètres muni d'un système de coordonnées, projeté ou géographique. Il devrait s'étendre jusqu'aux montagnes visibles.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2570,8 +2566,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>How far the mountains of the skyline may be, in ground metres; the paper method looks no farther than 15 km.</source>
-        <translation>À quelle distance peuvent être les montagnes de la ligne d'horizon, en mètres au sol ; la méthode article ne regarde pas au-delà de 15 km.</translation>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
+        <translation>Distance maximale des montagnes de la ligne d'horizon, en mètres au sol. La méthode article utilise au plus 15 km.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2590,8 +2586,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, all headings, an honest error bar. Paper: the published correlation of skylines, for comparison; it takes no hint, landmark, drawn skyline or mask.</source>
-        <translation>Robuste : géométrie exacte de l'appareil, tous les azimuts, une marge d'erreur honnête. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'accepte ni indication, ni repère, ni ligne dessinée, ni masque.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robuste : géométrie exacte de l'appareil, recherche sur tous les azimuts et marge d'erreur. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'utilise ni indications, ni repères, ni lignes d'horizon dessinées, ni masques.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2610,8 +2606,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass is only reported. Hint: a soft belief, wide enough for the errors phones have; a clear skyline overrules it. The paper method knows no compass.</source>
-        <translation>Ignorer : la boussole est seulement rapportée. Indication : une croyance souple, assez large pour les erreurs des téléphones ; une ligne d'horizon nette l'emporte. La méthode article ignore la boussole.</translation>
+        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
+        <translation>Ignorer : l'azimut de la boussole est seulement rapporté. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte. La méthode article n'utilise pas la boussole.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2620,13 +2616,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, where no absolute height is given.</source>
-        <translation>Mètres au-dessus du MNT, là où aucune altitude absolue n'est donnée.</translation>
+        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
+        <translation>Mètres au-dessus du MNT, utilisés si aucune altitude absolue n'est donnée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ground metres from the camera. Nothing beyond is looked at.</source>
-        <translation>Mètres au sol depuis l'appareil. Rien n'est examiné au-delà.</translation>
+        <source>Distance from the camera in metres on the ground. Terrain beyond is ignored.</source>
+        <translation>Distance depuis l'appareil en mètres au sol. Le terrain au-delà est ignoré.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2635,8 +2631,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that the air bends back; 0.13 is usual. The curvature itself is always applied, but for the paper method's own search, which has the earth flat.</source>
-        <translation>Part de la courbure terrestre que l'air compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche de la méthode article, pour qui la terre est plate.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
+        <translation>Part de la courbure terrestre que la réfraction compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche propre à la méthode article, qui suppose une terre plate.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2670,8 +2666,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
-        <source>No photograph (JPEG, HEIC) lies in {folder}. Choose another folder, or include the folders inside it.</source>
-        <translation>Aucune photo (JPEG, HEIC) dans {folder}. Choisissez un autre dossier, ou incluez les sous-dossiers.</translation>
+        <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
+        <translation>Aucune photo (JPEG, HEIC) n'a été trouvée dans {folder}. Choisissez un autre dossier, ou incluez ses sous-dossiers.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/picture_files.py"/>
@@ -2735,8 +2731,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>True heading, clockwise from north, that the answer must lie near. NULL: none.</source>
-        <translation>Azimut géographique, dans le sens horaire depuis le nord, près duquel la réponse doit se trouver. NULL : aucun.</translation>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Azimut géographique approché, dans le sens horaire depuis le nord. La réponse doit se trouver à proximité. NULL : aucun.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2745,7 +2741,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>How far the heading may lie from the approximate one. NULL: 20 degrees.</source>
+        <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>De combien l'azimut peut s'écarter de l'approché. NULL : 20 degrés.</translation>
     </message>
     <message>
@@ -2755,8 +2751,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are seen in photographs: fields photo, x and y (pixels of the upright picture, the first at 0), optionally elevation (m). One is enough to tell the heading.</source>
-        <translation>Points de la carte vus dans les photos : champs photo, x et y (pixels de l'image redressée, le premier vaut 0), éventuellement elevation (m). Un seul suffit pour déterminer l'azimut.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
+        <translation>Points de la carte visibles dans les photos, avec les champs photo, x et y (pixels de l'image redressée ; le premier pixel vaut 0) et éventuellement elevation (m). Un seul repère suffit pour déterminer l'azimut.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2790,8 +2786,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
-        <source>PNGs in three panels: photograph, heading and field of view on the DEM, viewshed with the camera and, where the points carry a timestamp, the way walked.</source>
-        <translation>PNG en trois volets : photo, azimut et angle de champ sur le MNT, bassin visuel avec l'appareil et, si les points portent un horodatage, le chemin parcouru.</translation>
+        <source>PNG files with three panels: the photograph, the heading and field of view on the DEM, and the viewshed with the camera and, if the points have a timestamp, the path between the cameras.</source>
+        <translation>Fichiers PNG en trois volets : la photo, l'azimut et l'angle de champ sur le MNT, et le bassin visuel avec l'appareil et, si les points ont un horodatage, le chemin entre les appareils.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/result_figures.py"/>
@@ -2820,8 +2816,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>Terrain beyond is not looked at; far mountains take little of the sky.</source>
-        <translation>Le terrain au-delà n'est pas examiné ; les montagnes lointaines prennent peu de ciel.</translation>
+        <source>Terrain beyond is ignored; distant mountains cover little of the sky.</source>
+        <translation>Le terrain au-delà est ignoré ; les montagnes lointaines couvrent peu de ciel.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2831,13 +2827,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The extent of the sky view raster does not meet the DEM. Choose another.</source>
-        <translation>L'emprise du raster de vue du ciel ne touche pas le MNT. Choisissez-en une autre.</translation>
+        <source>The extent of the sky view raster does not overlap the DEM. Choose another.</source>
+        <translation>L'emprise du raster de vue du ciel ne recoupe pas le MNT. Choisissez-en une autre.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
-        <source>The search range of the sky view raster may be {most} m at most on a DEM of {cell} m.</source>
-        <translation>La portée de recherche du raster de vue du ciel ne peut dépasser {most} m avec un MNT de {cell} m.</translation>
+        <source>The search range of the sky view raster can be at most {most} m on a DEM with cells of {cell} m.</source>
+        <translation>La portée de recherche du raster de vue du ciel peut être de {most} m au plus avec un MNT à cellules de {cell} m.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2851,8 +2847,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Columns with a confidence below 0.5 limit nothing. Needs the area photo frame.</source>
-        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Les colonnes dont la confiance est inférieure à 0,5 ne limitent rien. Demande l'étendue cadre de la photo.</translation>
+        <source>Table of Extract skyline (photo, column, row, confidence). Ground that would appear above its photo's skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Columns with a confidence below 0.5 exclude nothing. Requires the area photo frame.</source>
+        <translation>Table d'Extraire la ligne d'horizon (photo, column, row, confidence). Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de sa photo est caché par quelque chose qui n'est pas dans le MNT, comme des arbres ou des maisons, et compte comme non vu. Les colonnes dont la confiance est inférieure à 0,5 n'excluent rien. Demande l'étendue cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2861,8 +2857,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>Ground that would appear above the photograph's own skyline is hidden by something that the DEM does not know, such as trees or houses, and is not claimed. Needs the area photo frame.</source>
-        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose que le MNT ne connaît pas, comme des arbres ou des maisons, et n'est pas compté comme vu. Demande l'étendue cadre de la photo.</translation>
+        <source>Ground that would appear above the photograph's own skyline is hidden by something that is not in the DEM, such as trees or houses, and counts as not seen. Requires the area photo frame.</source>
+        <translation>Le terrain qui apparaîtrait au-dessus de la ligne d'horizon de la photo elle-même est caché par quelque chose qui n'est pas dans le MNT, comme des arbres ou des maisons, et compte comme non vu. Demande l'étendue cadre de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2871,8 +2867,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>So far above the skyline ground may appear and still be claimed: errors of the DEM and the heading.</source>
-        <translation>Jusqu'à cette hauteur au-dessus de la ligne d'horizon, le terrain compte encore comme vu : erreurs du MNT et de l'orientation.</translation>
+        <source>Ground up to this angle above the skyline still counts as seen, which allows for errors of the DEM and the heading.</source>
+        <translation>Le terrain jusqu'à cet angle au-dessus de la ligne d'horizon compte encore comme vu, ce qui tient compte des erreurs du MNT et de l'azimut.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
@@ -2881,8 +2877,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/skyline_limits.py"/>
-        <source>The table of skylines does not know this photo: nothing is cut off.</source>
-        <translation>La table des lignes d'horizon ne connaît pas cette photo : rien n'est retranché.</translation>
+        <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
+        <translation>La table des lignes d'horizon ne contient pas cette photo ; aucun terrain n'est donc exclu.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2911,13 +2907,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Least prominence (m)</source>
+        <source>Minimum prominence (m)</source>
         <translation>Proéminence minimale (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Of summits found in the DEM.</source>
-        <translation>Des sommets trouvés dans le MNT.</translation>
+        <source>Prominence of the summits that are found in the DEM.</source>
+        <translation>Proéminence des sommets trouvés dans le MNT.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2926,8 +2922,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>0: take the place as published.</source>
-        <translation>0 : prendre la position telle que publiée.</translation>
+        <source>0: use the published position.</source>
+        <translation>0 : utiliser la position publiée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2947,8 +2943,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Only used where the photograph itself is missing.</source>
-        <translation>Utilisé seulement là où la photo elle-même manque.</translation>
+        <source>Only used if the photograph itself is missing.</source>
+        <translation>Utilisé seulement si la photo elle-même manque.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2962,8 +2958,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation, where the points carry no heading_lo and heading_hi.</source>
-        <translation>Écart type, là où les points n'ont pas heading_lo et heading_hi.</translation>
+        <source>Standard deviation, used if the points have no heading_lo and heading_hi.</source>
+        <translation>Écart type, utilisé si les points n'ont pas heading_lo et heading_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2992,8 +2988,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation of the camera's place, east and north each; replaced by a field h_acc.</source>
-        <translation>Écart type de la position de l'appareil, vers l'est et vers le nord chacun ; remplacé par un champ h_acc.</translation>
+        <source>Standard deviation of the camera's position, in east and in north. A field h_acc takes precedence.</source>
+        <translation>Écart type de la position de l'appareil, vers l'est et vers le nord. Un champ h_acc l'emporte.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3007,8 +3003,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The picture's size is unknown: its pixels are taken to be those of a picture 4000 px wide.</source>
-        <translation>La taille de l'image est inconnue : ses pixels sont pris comme ceux d'une image de 4000 px de large.</translation>
+        <source>The picture's size is unknown, so a width of 4000 px is assumed.</source>
+        <translation>La taille de l'image est inconnue ; une largeur de 4000 px est donc supposée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -3027,8 +3023,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Parts of a polygon below this are dropped, and holes below it filled. 0 keeps all.</source>
-        <translation>Les parties d'un polygone plus petites sont omises, les trous plus petits comblés. 0 garde tout.</translation>
+        <source>Smaller parts of a polygon are removed, and smaller holes are filled. 0 keeps everything.</source>
+        <translation>Les parties plus petites d'un polygone sont supprimées, et les trous plus petits comblés. 0 garde tout.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3037,8 +3033,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; negative: so much higher must a target be to be seen), and, where the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
-        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; négative : une cible doit être d'autant plus haute pour être vue) et, si l'orientation est connue, colonne et ligne dans l'image (px). Sans données hors de l'étendue et de la portée.</translation>
+        <source>One float GeoTIFF per photo with named bands: distance (m), elevation angle (°), height above the line of sight (m; if negative, a target must be this much higher to be visible) and, if the pose is known, column and row in the picture (px). Nodata outside the area and range.</source>
+        <translation>Un GeoTIFF à virgule flottante par photo, à bandes nommées : distance (m), angle de hauteur (°), hauteur au-dessus de la ligne de visée (m ; si elle est négative, une cible doit être d'autant plus haute pour être visible) et, si l'orientation est connue, colonne et ligne dans l'image (px). Nodata hors de l'étendue et de la portée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3047,8 +3043,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo: how probable it is that the picture shows a cell (0 to 1), given the errors below and the heading's interval. Needs the area photo frame; takes some five times as long.</source>
-        <translation>Un GeoTIFF par photo : probabilité que l'image montre une cellule (0 à 1), compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo ; environ cinq fois plus long.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Un GeoTIFF par photo avec la probabilité (0 à 1) que l'image montre une cellule, compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo, et prend environ cinq fois plus de temps.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3067,8 +3063,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation of a cell's height above what stands before it, for probabilities.</source>
-        <translation>Écart type de la hauteur d'une cellule au-dessus de ce qui se trouve devant elle, pour les probabilités.</translation>
+        <source>Standard deviation of a cell's height relative to the terrain in front of it, for probabilities.</source>
+        <translation>Écart type de la hauteur d'une cellule par rapport au terrain devant elle, pour les probabilités.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3087,8 +3083,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It moves what lies far from the picture's middle.</source>
-        <translation>Écart type, pour les probabilités. Elle déplace ce qui est loin du milieu de l'image.</translation>
+        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
+        <translation>Écart type, pour les probabilités. Il touche surtout le terrain loin du centre de l'image.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3183,13 +3179,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Height of what is looked at; 0 asks for the ground itself.</source>
-        <translation>Hauteur de ce qui est regardé ; 0 demande le sol lui-même.</translation>
+        <source>Height of the target; 0 means the ground itself.</source>
+        <translation>Hauteur de la cible ; 0 désigne le sol lui-même.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>Ground nearer than this is not claimed as seen, but hides what lies behind it.</source>
-        <translation>Le terrain plus proche n'est pas déclaré vu, mais cache ce qui est derrière lui.</translation>
+        <source>Ground nearer than this does not count as seen, but it still hides the terrain behind it.</source>
+        <translation>Le terrain plus proche ne compte pas comme vu, mais cache quand même le terrain derrière lui.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3234,8 +3230,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>What would a photograph from here look like?</source>
-        <translation>À quoi ressemblerait une photo prise d'ici ?</translation>
+        <source>Realistic photographs of the terrain from points with a heading</source>
+        <translation>Photographies réalistes du relief depuis des points munis d'un azimut de visée</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3279,8 +3275,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Where the pictures go.</source>
-        <translation>Où vont les images.</translation>
+        <source>Folder in which the pictures are saved.</source>
+        <translation>Dossier dans lequel les images sont enregistrées.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3339,6 +3335,16 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
+        <source>Share of the picture's width that is covered, 0 to 1.</source>
+        <translation>Part de la largeur de l'image qui est couverte, 0 à 1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Elevation. If this is empty, it is derived from the relief in view.</source>
+        <translation>Altitude. Si ce champ est vide, elle est déduite du relief en vue.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/simulate_photos.py"/>
         <source>Seed</source>
         <translation>Graine</translation>
     </message>
@@ -3359,13 +3365,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>0 to 1: over how much of the width.</source>
-        <translation>0 à 1 : sur quelle part de la largeur.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>What stands near the camera.</source>
-        <translation>Ce qui se trouve près de l'appareil.</translation>
+        <source>Objects near the camera.</source>
+        <translation>Objets proches de l'appareil.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3389,8 +3390,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Haze; small is hazy.</source>
-        <translation>Brume ; petit veut dire brumeux.</translation>
+        <source>Smaller values give more haze.</source>
+        <translation>Des valeurs plus petites donnent plus de brume.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -3404,11 +3405,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Elevation; empty: by the relief in view.</source>
-        <translation>Altitude ; vide : d'après le relief en vue.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>Tree line (m)</source>
         <translation>Limite de la forêt (m)</translation>
     </message>
@@ -3419,8 +3415,8 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>In 8-bit steps at mid-grey.</source>
-        <translation>En pas de 8 bits à gris moyen.</translation>
+        <source>Standard deviation at mid-grey, in 8-bit steps.</source>
+        <translation>Écart type à gris moyen, en pas de 8 bits.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3439,13 +3435,13 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>For each point, line or area of the places layer: the photographs in whose frame it lies and that see it, how many pixels a metre of it gets, how squarely it is looked at, and where in the picture it is. One row per place and photo, best photo of each place first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
-        <translation>Pour chaque point, ligne ou surface de la couche de lieux : les photos dont le cadre le contient et qui le voient, combien de pixels en reçoit un mètre, sous quelle incidence il est vu, et où il se trouve dans l'image. Une ligne par lieu et photo, la meilleure photo de chaque lieu en premier (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
+        <source>Finds the photographs that show each point, line or area of the places layer. One row per place and photo gives the pixels per metre, the angle of incidence and the position in the picture. The best photo of each place comes first (&lt;b&gt;rank&lt;/b&gt; 1).</source>
+        <translation>Trouve les photos qui montrent chaque point, ligne ou surface de la couche de lieux. Une ligne par lieu et photo donne les pixels par mètre, l'angle d'incidence et la position dans l'image. La meilleure photo de chaque lieu vient en premier (&lt;b&gt;rank&lt;/b&gt; 1).</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: pixels for a metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, ready for relations to both layers.</source>
-        <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : pixels pour un mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, prêts pour des relations avec les deux couches.</translation>
+        <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
+        <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : les pixels par mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, que vous pouvez utiliser pour des relations avec les deux couches.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3464,12 +3460,12 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Of what is looked for: a tower, a tree top.</source>
-        <translation>De ce qui est cherché : une tour, une cime d'arbre.</translation>
+        <source>Height of the target above the ground, for example of a tower or a tree top.</source>
+        <translation>Hauteur de la cible au-dessus du sol, par exemple d'une tour ou d'une cime d'arbre.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>Least visible share (%)</source>
+        <source>Minimum visible share (%)</source>
         <translation>Part visible minimale (%)</translation>
     </message>
     <message>
@@ -3499,8 +3495,8 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>The places layer is empty, or lies where the DEM's CRS does not reach.</source>
-        <translation>La couche de lieux est vide, ou se trouve hors d'atteinte du SCR du MNT.</translation>
+        <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
+        <translation>La couche de lieux est vide, ou se trouve hors de la région pour laquelle le SCR du MNT est valable.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
