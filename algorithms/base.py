@@ -14,9 +14,8 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.base.errors import Cancelled, SkylineViewshedError
-from .shared.core_sentences import in_users_language
 from .shared.elevation import dem_fault, dem_source
-from .shared.i18n import tr
+from .shared.i18n import in_users_language, tr
 from .shared.reporting import facts_of, software
 from .shared.styling import tell_provenance
 
@@ -101,7 +100,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         except Cancelled as stop:
             raise QgsProcessingException(tr("Cancelled. Nothing was written.")) from stop
         except SkylineViewshedError as error:
-            raise QgsProcessingException(in_users_language(str(error))) from error
+            raise QgsProcessingException(in_users_language(error.message)) from error
 
     def compute(self, parameters, context, feedback):
         """Do the work and return the outputs."""

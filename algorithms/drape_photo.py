@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessingOutputNumber
 
 from ..core.base.errors import PhotoError
+from ..core.base.messages import Message
 from ..core.base.progress import subtask
 from .base import DemAlgorithm
 from .shared import parameters as shared
@@ -104,7 +105,7 @@ class DrapePhoto(DemAlgorithm):
             try:
                 count += drape(mosaic, photo, options) > 0
             except PhotoError as error:
-                warn(feedback, photo.name, str(error))
+                warn(feedback, photo.name, error.message)
         results = {"COUNT": count}
         path = self.parameterAsOutputLayer(parameters, "OUTPUT", context)
         gsd_path = self.parameterAsOutputLayer(parameters, "GSD", context) if parameters.get("GSD") else None
@@ -124,7 +125,7 @@ def drape(mosaic, photo, options):
     from ..core.viewshed.viewshed import PhotoFrame, viewshed
 
     if not photo.path:
-        raise PhotoError(tr("The point names no photo."))
+        raise PhotoError(Message("The point names no photo."))
     picture = build_picture_pyramid(read_photo(photo.path).pixels)
     sector = PhotoFrame(photo.view.camera, photo.view.pose)
     seen = viewshed(photo.terrain, photo.observer, sector, options, subtask(photo.progress, 0.1, 0.6))

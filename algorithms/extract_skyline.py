@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
 
 from ..core.base.errors import MissingPackageError, PhotoError
+from ..core.base.messages import Message
 from ..core.base.model import Orientation, OrientedPhoto
 from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
@@ -93,7 +94,7 @@ class ExtractSkyline(SkylineAlgorithm):
             try:
                 found = extract(row.path, method)
             except (PhotoError, MissingPackageError) as error:
-                warn(feedback, row.name, str(error))
+                warn(feedback, row.name, error.message)
                 continue
             table += [(None, [row.path, *pixel]) for pixel in pixels_of(found)]
             count += 1
@@ -124,7 +125,7 @@ def extract(path, method):
     from ..core.skyline.evidence import skyline_evidence
 
     if path is None:
-        raise PhotoError(tr("The point names no photo. Fill its path field."))
+        raise PhotoError(Message("The point names no photo. Fill its path field."))
     photo, options = read_photo(path, None if method == "paper" else PREVIEW_PX), OrientOptions()
     metadata, evidence = photo.metadata, None
     if method == "paper":

@@ -156,7 +156,7 @@ def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
         try:
             yield row, horizon_profile(dem, observer, options, part)
         except PhotoError as error:
-            warn(feedback, row.name, str(error))
+            warn(feedback, row.name, error.message)
     checkpoint(progress, end)
 
 

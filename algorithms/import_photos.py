@@ -17,9 +17,8 @@ from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
 from .shared import fields
 from .shared import parameters as shared
-from .shared.core_sentences import in_users_language
 from .shared.feedback import FeedbackProgress, announce
-from .shared.i18n import tr
+from .shared.i18n import in_users_language, tr
 from .shared.outputs import write_features
 from .shared.photo_attributes import attributes_of, has_position, photos_in, point_of
 from .shared.styling import style_on_completion
@@ -130,7 +129,7 @@ def read_all(paths, feedback):
             metadata = read_metadata(path)
             reason = None if has_position(metadata) else tr("The photo has no GPS position.")
         except PhotoError as error:
-            reason = in_users_language(str(error))
+            reason = in_users_language(error.message)
         if reason is None:
             taken.append((point_of(metadata), attributes_of(metadata)))
         else:

@@ -16,6 +16,7 @@ from qgis.core import (
 
 from ..core.base.camera import paper_fov_deg
 from ..core.base.errors import MissingMetadataError
+from ..core.base.messages import Message
 from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
 from .shared import parameters as shared
@@ -193,7 +194,9 @@ def frame_of(photo, given):
     metadata = read_metadata(photo)
     size = metadata.width_px, metadata.height_px
     if None in given[2:] and metadata.focal_length_35mm is None:
-        raise MissingMetadataError("focal length (35 mm equivalent)", "Give its fields of view in HFOV_FIELD.")
+        raise MissingMetadataError(
+            Message("The photo has no focal length (35 mm equivalent). Give its fields of view in HFOV_FIELD.")
+        )
     view = given[2:] if None not in given[2:] else paper_fov_deg(*size, metadata.focal_length_35mm)
     return Frame(*[known or read for known, read in zip(given, (*size, *view))])
 

@@ -122,7 +122,7 @@ class Panorama(DemAlgorithm):
             try:
                 panorama = outline_panorama(terrain, observer, options, subtask(part, 0.0, 0.7))
             except PhotoError as error:
-                warn(feedback, row.name, str(error))
+                warn(feedback, row.name, error.message)
                 continue
             view = folder.write(row, observer, panorama, options)
             ridges += [ridge_row(terrain, view.frame, row, outline) for outline in panorama.outlines]

@@ -153,7 +153,7 @@ class PhotoCoverage(DemAlgorithm):
             try:
                 seen = viewshed(terrain, photo.observer, sector, options, part)
             except PhotoError as error:
-                warn(feedback, photo.name, str(error))
+                warn(feedback, photo.name, error.message)
                 cells.append(0)
                 continue
             cells.append(coverage.add(photo.name, terrain, photo.view, seen.visible, seen.window))

@@ -103,7 +103,7 @@ class SimulatePhotos(DemAlgorithm):
                 simulate(dem, row, size, eye_height_m, scene, target, part)
                 count += 1
             except PhotoError as error:
-                warn(feedback, row.name, str(error))
+                warn(feedback, row.name, error.message)
         return {"FOLDER": str(folder), "COUNT": count}
 
 

@@ -16,6 +16,7 @@ from .base.camera import FOCAL_SIGMA
 from .base.curvature import apparent_drop_m
 from .base.declination import declination_deg
 from .base.errors import MissingMetadataError, MissingPackageError, PhotoError
+from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
@@ -159,7 +160,7 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
     try:
         return _orient(request, dem, options, cache or HorizonCache(), progress)
     except (PhotoError, MissingPackageError) as error:
-        return OrientedPhoto(request.path, Orientation("failed", str(error)))
+        return OrientedPhoto(request.path, Orientation("failed", error.message))
 
 
 def _orient(request, dem, options, cache, progress):
@@ -200,7 +201,9 @@ def _position(request, metadata):
         return float(request.longitude_deg), float(request.latitude_deg), True
     if recorded:
         return metadata.longitude_deg, metadata.latitude_deg, False
-    raise MissingMetadataError("GPS position", "Give it by the geometry of a photo point layer.")
+    raise MissingMetadataError(
+        Message("The photo has no GPS position. Give it by the geometry of a photo point layer.")
+    )
 
 
 def _usable(longitude_deg, latitude_deg):
@@ -263,14 +266,24 @@ def _eye_notes(request, metadata, oriented):
         return ()
     trusted = request.use_altitude and request.eye_elevation_m is None
     if trusted and metadata.altitude_reference == "ellipsoid":
-        return ("The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.",)
+        return (Message("The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used."),)
     above = metadata.altitude_m - oriented.ground_elevation_m
     if abs(above) < 30:
         return ()
-    side = "above" if above > 0 else "below"
-    if trusted:
-        return (f"The recorded altitude lies {abs(above):.0f} m {side} the DEM's surface and was used.",)
-    return (f"The recorded altitude lies {abs(above):.0f} m {side} the DEM's surface; the DEM was used.",)
+    metres = f"{abs(above):.0f}"
+    if trusted and above > 0:
+        note = Message("The recorded altitude lies {metres} m above the DEM's surface and was used.", metres=metres)
+    elif trusted:
+        note = Message("The recorded altitude lies {metres} m below the DEM's surface and was used.", metres=metres)
+    elif above > 0:
+        note = Message(
+            "The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.", metres=metres
+        )
+    else:
+        note = Message(
+            "The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.", metres=metres
+        )
+    return (note,)
 
 
 def _preview(pixels):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
 from .base.errors import MissingMetadataError, ObserverError, SkylineNotFoundError
 from .base.imaging import thumbnail
+from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto, SkylineEvidence
 from .base.progress import SILENT, subtask
 from .base.terrain import ground_elevation_m
@@ -109,7 +110,9 @@ def camera_prior(metadata, hfov_deg=None):
         focal, sigma = focal_from_35mm_px(width, height, metadata.focal_length_35mm), metadata.focal_sigma
     else:
         raise MissingMetadataError(
-            "focal length (35 mm equivalent)", "Give the horizontal field of view in HFOV_FIELD."
+            Message(
+                "The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD."
+            )
         )
     return CameraPrior(Camera(width, height, focal), sigma)
 
@@ -169,7 +172,7 @@ def orient_photo(
                 photo, prior, horizon, inner, options, hints, position_error_m, rest
             )
     except SkylineNotFoundError as error:
-        orientation, skyline, evidence = Orientation("rejected", str(error)), None, None
+        orientation, skyline, evidence = Orientation("rejected", error.message), None, None
     best = orientation.best
     return OrientedPhoto(
         photo.metadata.path,

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.base.camera import Camera, Pose
 from ..core.base.errors import ObserverError, TerrainError
+from ..core.base.messages import Message
 from ..core.base.progress import SILENT
 from ..core.base.terrain import Observer, Terrain, ground_elevation_m
 from ..core.simulate.cast import cast_fan, read_patch
@@ -88,7 +89,9 @@ def find_view(
         pose = _look(terrain, frame, eye_m, camera, generator, options)
         if pose is not None and (finer is None or _clear(terrain, finer, observer, camera, pose, options)):
             return observer, pose
-    raise TerrainError(f"No view of a ridge was found in {options.tries} places. Use a DEM with more relief.")
+    raise TerrainError(
+        Message("No view of a ridge was found in {count} places. Use a DEM with more relief.", count=options.tries)
+    )
 
 
 def _look(terrain, frame, eye_m, camera, generator, options):

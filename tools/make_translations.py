@@ -2,7 +2,8 @@
 
 Usage: make_translations.py [--compile-only | --check]
 
-The source's strings are the literals inside `tr(...)` and `mark(...)`, and inside the `say(...)` of the core. What a
+The source's strings are the literals inside `tr(...)` and `mark(...)` of the shell, inside the `say(...)` of the
+report and figures, and the templates of every `Message(...)`, whose facts are keywords. What a
 catalogue already translates stays; new strings come in as unfinished, strings that the source no longer has go. A
 translator edits the .ts files with Qt Linguist or by hand; the compiled .qm files are not kept in the repository,
 `make zip` adds them to the package.
@@ -26,6 +27,7 @@ LANGUAGES = ("de", "es", "fr")
 CONTEXT = "SkylineViewshed"
 SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py")
 SOURCES = (*SHELL, "core/**/*.py")
+MARKERS = ("tr", "mark", "say", "Message")
 
 
 def source_strings(root=ROOT):
@@ -39,7 +41,7 @@ def source_strings(root=ROOT):
     Raises
     ------
     ValueError
-        Where `tr` gets anything but a literal, which no catalogue could hold.
+        Where one of them gets anything but a literal, which no catalogue could hold.
     """
     found = {}
     for path in (path for pattern in SOURCES for path in sorted(root.glob(pattern))):
@@ -47,7 +49,7 @@ def source_strings(root=ROOT):
         calls = [
             node
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("tr", "mark", "say")
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in MARKERS
         ]
         for node in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
             argument = node.args[0] if len(node.args) == 1 else None

@@ -65,7 +65,9 @@ def dem_fault(algorithm, parameters, context, name="DEM", band="BAND"):
     """Sentence on why the DEM cannot serve, or None; opens it, which costs milliseconds."""
     try:
         dem_source(algorithm, parameters, context, name, band).open()
-    except (QgsProcessingException, TerrainError) as error:
+    except TerrainError as error:
+        return error.message
+    except QgsProcessingException as error:
         return str(error)
     return None
 

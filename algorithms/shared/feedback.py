@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from .core_sentences import in_users_language
-from .i18n import tr
+from .i18n import in_users_language, tr
 
 
 @dataclass(frozen=True)
@@ -44,5 +43,5 @@ def announce(feedback, name, index, count):
 
 
 def warn(feedback, name, message):
-    """Say that one photo or point has a fault while the batch goes on."""
+    """Say that one photo or point has a fault while the batch goes on; `message` is translated if it is a `Message`."""
     feedback.pushWarning(f"{name}: {in_users_language(message)}")

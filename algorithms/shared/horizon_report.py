@@ -5,8 +5,7 @@ from __future__ import annotations
 from contextlib import ExitStack
 from datetime import datetime
 
-from .core_sentences import in_users_language
-from .i18n import marked
+from .i18n import in_users_language, marked
 from .outputs import make_folder_of
 from .reporting import facts_of, software
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from qgis.PyQt.QtCore import QCoreApplication
 
+from ...core.base.messages import Message
+
 CONTEXT = "SkylineViewshed"
 
 
@@ -20,3 +22,11 @@ def mark(text):
 def marked(text):
     """Give a text that `mark` put into the catalogue in the user's language."""
     return QCoreApplication.translate(CONTEXT, text)
+
+
+def in_users_language(text):
+    """Give a `Message` in the user's language, with the messages among its facts; any other text as it is."""
+    if not isinstance(text, Message):
+        return text
+    facts = {name: in_users_language(fact) for name, fact in text.facts.items()}
+    return marked(text.template).format(**facts)

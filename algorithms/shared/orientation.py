@@ -8,6 +8,7 @@ from pathlib import Path
 from qgis.core import QgsProcessingParameterBoolean
 
 from ...core.base.errors import Cancelled, OutputError, TerrainError
+from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
@@ -163,7 +164,7 @@ def unforeseen(request, feedback):
     from ...core.base.model import Orientation, OrientedPhoto
 
     feedback.pushDebugInfo(traceback.format_exc())
-    text = tr("An unexpected error occurred on this photo. Please report it and attach the log.")
+    text = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
     return OrientedPhoto(request.path, Orientation("failed", text))
 
 
@@ -171,7 +172,7 @@ def without_photo():
     """Answer for a point whose path is NULL."""
     from ...core.base.model import Orientation, OrientedPhoto
 
-    return OrientedPhoto("", Orientation("failed", tr("The point names no photo. Fill its path field.")))
+    return OrientedPhoto("", Orientation("failed", Message("The point names no photo. Fill its path field.")))
 
 
 def oriented_row(row, kept, oriented, max_distance_m):

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ...core.base.angles import difference, true_to_grid, wrap_360
-from .core_sentences import in_users_language
 from .fields import FieldSpec
-from .i18n import tr
+from .i18n import in_users_language, tr
 
 
 def oriented_specs():

@@ -201,4 +201,4 @@ def write_whole(path, content):
 def unwritable(path, error):
     """Make the `OutputError` for a file from what the system, or QGIS, has said."""
     reason = getattr(error, "strerror", None) or str(error)
-    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
+    return OutputError.of_file(path, reason)

@@ -48,4 +48,4 @@ class PictureFolder:
             write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn, marked))
             self.count += 1
         except (PhotoError, MissingPackageError) as error:
-            warn(feedback, photo.name, str(error))
+            warn(feedback, photo.name, error.message)

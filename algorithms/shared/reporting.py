@@ -9,8 +9,7 @@ from pathlib import Path
 
 from qgis.core import Qgis
 
-from .core_sentences import in_users_language
-from .i18n import marked, tr
+from .i18n import in_users_language, marked, tr
 from .outputs import make_folder_of
 
 

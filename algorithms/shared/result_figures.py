@@ -114,7 +114,7 @@ class ResultFigures:
                 self._write(sight, encode_png(panels, quickly=True))
             return panels
         except MissingPackageError as error:
-            warn(self.feedback, sight.name, str(error))
+            warn(self.feedback, sight.name, error.message)
             self.wanted = False
             return None
 
@@ -124,10 +124,7 @@ class ResultFigures:
             path.parent.mkdir(parents=True, exist_ok=True)
             write_whole(path, content)
         except OSError as error:
-            reason = error.strerror or str(error)
-            raise OutputError(
-                f"The file {path} cannot be written: {reason}. Choose another folder or free some space."
-            ) from None
+            raise OutputError.of_file(path, error.strerror or str(error)) from None
 
     def _photo(self, sight):
         from ...core.io.photo import read_photo
@@ -137,7 +134,7 @@ class ResultFigures:
         try:
             return read_photo(sight.photo, PREVIEW_PX).pixels
         except PhotoError as error:
-            warn(self.feedback, sight.name, str(error))
+            warn(self.feedback, sight.name, error.message)
             return None
 
     def _map(self, sight, viewshed):

@@ -83,8 +83,9 @@ class Viewer:
                     if found is not None:
                         yield job.sight, found
             except Cancelled:
-                text = tr("Cancelled after {done} of {count} viewsheds.")
-                self.feedback.pushWarning(text.format(done=done, count=len(sights)))
+                self.feedback.pushWarning(
+                    tr("Cancelled after {done} of {count} viewsheds.").format(done=done, count=len(sights))
+                )
                 raise
             done = end
         checkpoint(progress, 1.0)
@@ -139,7 +140,7 @@ class Viewer:
                 except PhotoError as error:  # what one place cannot do, it can do for none of its photos
                     fault = error
             if found is None:
-                warn(self.feedback, job.sight.name, str(fault))
+                warn(self.feedback, job.sight.name, fault.message)
             yield found
 
     def _sweep(self, jobs, progress):

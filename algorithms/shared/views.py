@@ -10,6 +10,7 @@ from qgis.core import QgsFeature
 
 from ...core.base.camera import Camera, Pose, focal_of_fov_px
 from ...core.base.errors import PhotoError
+from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.base.terrain import Observer
 from ...core.base.uncertainty import PoseUncertainty
@@ -172,11 +173,11 @@ def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m
             observer = _observer(row, values, eye_height_m)
             view = open_view(terrain, observer, camera, _pose(values), max_distance_m, refraction)
         except PhotoError as error:
-            warn(feedback, row.name, str(error))
+            warn(feedback, row.name, error.message)
             continue
         checkpoint(part, 0.0)
         if pixels and not sized:
-            text = tr("The picture's size is unknown, so a width of 4000 px is assumed.")
+            text = Message("The picture's size is unknown, so a width of 4000 px is assumed.")
             warn(feedback, row.name, text)
         yield PhotoView(row.feature, row.name, row.path, view, observer, terrain, sized, part)
         checkpoint(part, 1.0)
@@ -194,13 +195,13 @@ def _path_field(algorithm, parameters, context):
 
 def _observer(row, values, eye_height_m):
     if row.longitude_deg is None:
-        raise PhotoError(tr("The point has no usable position."))
+        raise PhotoError(Message("The point has no usable position."))
     return Observer(row.longitude_deg, row.latitude_deg, eye_height_m, values["HEIGHT_FIELD"])
 
 
 def _pose(values):
     if values["HEADING_FIELD"] is None:
-        raise PhotoError(tr("The photo has no heading; orient it first."))
+        raise PhotoError(Message("The photo has no heading; orient it first."))
     return Pose(values["HEADING_FIELD"], values["PITCH_FIELD"] or 0.0, values["ROLL_FIELD"] or 0.0)
 
 
@@ -210,7 +211,9 @@ def _camera(path, feature, values):
 
     hfov, vfov = values["HFOV_FIELD"], values["VFOV_FIELD"]
     if hfov is None or not 0 < hfov < 180:
-        raise PhotoError(tr("The photo has no horizontal field of view between 0 and 180 degrees; orient it first."))
+        raise PhotoError(
+            Message("The photo has no horizontal field of view between 0 and 180 degrees; orient it first.")
+        )
     size = tuple(value_of(feature, field) for field in ("width", "height"))
     sized = None not in size
     if path and Path(path).exists():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...core.base.errors import PhotoError
+from ...core.base.messages import Message
 from . import parameters as shared
 from .feedback import StillProgress, warn
 from .fields import FieldSpec
@@ -171,9 +172,12 @@ class Extras:
         """
         too_large = seen.window.rows * seen.window.cols > LAYER_CELLS
         if self.folders and too_large:
-            text = tr("No layers and probabilities: the area has more than {count} million cells. Take a shorter "
-                      "maximum distance.")  # fmt: skip
-            warn(self.feedback, sight.name, text.format(count=LAYER_CELLS // 1_000_000))
+            fault = Message(
+                "No layers and probabilities: the area has more than {count} million cells. Take a shorter maximum "
+                "distance.",
+                count=LAYER_CELLS // 1_000_000,
+            )
+            warn(self.feedback, sight.name, fault)
         if self.options.layers and not too_large:
             self._write_layers(sight, seen)
         values = self._terrain_share(sight, seen, horizon)
@@ -226,7 +230,7 @@ class Extras:
         from ...core.viewshed.sector import PhotoFrame
 
         if not isinstance(seen.sector, PhotoFrame):
-            text = tr("No probabilities: they need the area photo frame, with pitch and vertical field of view.")
+            text = Message("No probabilities: they need the area photo frame, with pitch and vertical field of view.")
             warn(self.feedback, sight.name, text)
             return {}
         camera, pose = seen.sector.camera, seen.sector.pose
@@ -241,7 +245,7 @@ class Extras:
         try:
             found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, self._progress)
         except PhotoError as error:
-            warn(self.feedback, sight.name, str(error))
+            warn(self.feedback, sight.name, error.message)
             return {}
         areas = {name: found.area_m2(level) for name, level in LEVELS.items()}
         facts = {"PHOTO": sight.photo or "", **{name.upper(): repr(area) for name, area in areas.items()}}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.base.camera import Camera, Pose, focal_of_fov_px
+from ...core.base.messages import Message
 from . import parameters as shared
 from .feedback import warn
 from .i18n import tr
@@ -117,17 +118,19 @@ def sector_of(sight, kind, feedback):
 
     if kind == "full circle":
         return FullCircle()
-    missing = tr("heading") if sight.heading_deg is None else tr("horizontal field of view")
-    if sight.heading_deg is None or sight.hfov_deg is None:
-        warn(feedback, sight.name, tr("No viewshed: the {value} is unknown.").format(value=missing))
+    if sight.heading_deg is None:
+        warn(feedback, sight.name, Message("No viewshed: the heading is unknown."))
+        return None
+    if sight.hfov_deg is None:
+        warn(feedback, sight.name, Message("No viewshed: the horizontal field of view is unknown."))
         return None
     if not 0 < sight.hfov_deg < 180 or (sight.vfov_deg is not None and not 0 < sight.vfov_deg < 180):
-        warn(feedback, sight.name, tr("No viewshed: a field of view must lie between 0 and 180 degrees."))
+        warn(feedback, sight.name, Message("No viewshed: a field of view must lie between 0 and 180 degrees."))
         return None
     if kind == "heading wedge":
         return Wedge(sight.heading_deg, sight.hfov_deg)
     if sight.pitch_deg is None or sight.vfov_deg is None:
-        text = tr("Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.")
+        text = Message("Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.")
         warn(feedback, sight.name, text)
         return Wedge(sight.heading_deg, sight.hfov_deg)
     camera, pose = view_of(sight)

@@ -1,8 +1,17 @@
 """The error family: what can go wrong with a photograph or a terrain model, each with its remedy."""
 
+from __future__ import annotations
+
+from .messages import Message
+
 
 class SkylineViewshedError(Exception):
-    """Base of all errors that a user can act on; the message says what to do."""
+    """Base of all errors that a user can act on; its message, a `Message`, says what to do."""
+
+    @property
+    def message(self):
+        """The `Message`, for who translates it; `str(error)` is the plain English sentence."""
+        return self.args[0]
 
 
 class PhotoError(SkylineViewshedError):
@@ -14,23 +23,22 @@ class UnreadablePhotoError(PhotoError):
 
     def __init__(self, path, reason):
         self.path, self.reason = str(path), reason
-        super().__init__(f"The photo {self.path} cannot be read: {reason}")
+        super().__init__(Message("The photo {path} cannot be read: {reason}", path=self.path, reason=reason))
 
 
 class MissingMetadataError(PhotoError):
     """A fact that the method needs is neither in the file nor given by the user."""
 
-    def __init__(self, fact, remedy):
-        self.fact, self.remedy = fact, remedy
-        super().__init__(f"The photo has no {fact}. {remedy}")
-
 
 class SkylineNotFoundError(PhotoError):
     """No believable boundary between sky and terrain in the picture."""
 
-    def __init__(self, reason="No boundary between sky and terrain was found."):
+    def __init__(self, reason):
         super().__init__(
-            f"{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline."
+            Message(
+                "{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.",
+                reason=reason,
+            )
         )
 
 
@@ -52,8 +60,12 @@ class ObserverOutsideDemError(ObserverError):
     def __init__(self, longitude_deg, latitude_deg):
         self.longitude_deg, self.latitude_deg = longitude_deg, latitude_deg
         super().__init__(
-            f"The position {latitude_deg:.5f}, {longitude_deg:.5f} (latitude, longitude) lies outside the DEM. "
-            "Use a DEM that covers it, or correct the photo's coordinates."
+            Message(
+                "The position {latitude}, {longitude} (latitude, longitude) lies outside the DEM. "
+                "Use a DEM that covers it, or correct the photo's coordinates.",
+                latitude=f"{latitude_deg:.5f}",
+                longitude=f"{longitude_deg:.5f}",
+            )
         )
 
 
@@ -63,8 +75,12 @@ class NoElevationAtObserverError(ObserverError):
     def __init__(self, longitude_deg, latitude_deg):
         self.longitude_deg, self.latitude_deg = longitude_deg, latitude_deg
         super().__init__(
-            f"The DEM has no elevation (nodata) at {latitude_deg:.5f}, {longitude_deg:.5f} (latitude, longitude). "
-            "Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD."
+            Message(
+                "The DEM has no elevation (nodata) at {latitude}, {longitude} (latitude, longitude). "
+                "Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.",
+                latitude=f"{latitude_deg:.5f}",
+                longitude=f"{longitude_deg:.5f}",
+            )
         )
 
 
@@ -75,13 +91,24 @@ class MissingPackageError(SkylineViewshedError):
 class OutputError(SkylineViewshedError):
     """A result cannot be written: no such folder, read-only, disk full."""
 
+    @classmethod
+    def of_file(cls, path, reason):
+        """Make the error of a file from the reason that the system has given, or a `Message`."""
+        return cls(
+            Message(
+                "The file {path} cannot be written: {reason}. Choose another folder or free some space.",
+                path=path,
+                reason=reason,
+            )
+        )
+
 
 class UnreadableFeaturesError(SkylineViewshedError):
     """A file of drawn image features is missing, damaged or in none of the known formats."""
 
     def __init__(self, path, reason):
         self.path, self.reason = str(path), reason
-        super().__init__(f"The image features {self.path} cannot be read: {reason}")
+        super().__init__(Message("The image features {path} cannot be read: {reason}", path=self.path, reason=reason))
 
 
 class Cancelled(BaseException):

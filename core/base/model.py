@@ -12,6 +12,7 @@ from datetime import datetime
 import numpy as np
 
 from .camera import FOCAL_SIGMA, Camera, Pose
+from .messages import Message
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class PhotoMetadata:
         Camera's local time.
     camera : str or None
         Maker and model.
-    notes : tuple of str
+    notes : tuple of Message
         Remarks worth telling the user (coordinates ignored and why, a focal length that was derived, ...).
     """
 
@@ -159,7 +160,7 @@ class Orientation:
     ----------
     status : str
         'accepted', 'ambiguous', 'rejected' ('failed' is for input faults and never comes from a matcher).
-    message : str
+    message : Message
         Why, and what to do, in a plain sentence.
     candidates : tuple of Candidate
         Distinct answers, best first; empty when nothing could be matched.
@@ -174,14 +175,14 @@ class Orientation:
         sharpness as the paper's method has them.
     residual_px : (w,) array or None
         Image skyline minus projected horizon along the columns of the reduced picture [pixels of the full picture].
-    notes : tuple of str
+    notes : tuple of Message
         Remarks worth telling the user (eye height disagreement, clipped horizon, ...).
     behind : bool
         The horizon was matched with the evidence's rival.
     """
 
     status: str
-    message: str
+    message: Message
     candidates: tuple = ()
     heading_lo_deg: float | None = None
     heading_hi_deg: float | None = None

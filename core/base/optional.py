@@ -8,6 +8,7 @@ import sys
 from contextlib import contextmanager
 
 from .errors import MissingPackageError
+from .messages import Message
 
 PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exifread": "exifread", "PIL": "Pillow"}
 
@@ -42,10 +43,17 @@ def _own_libraries_first(module):
 
 
 def require(module, feature):
-    """Import an optional module or raise `MissingPackageError` naming the feature and the install command."""
+    """Import an optional module or raise `MissingPackageError`; it names the feature, a `Message`, and the command."""
     found = available(module)
     if found is None:
-        raise MissingPackageError(f"{feature} needs the Python package {module}. {install_hint(module)}")
+        raise MissingPackageError(
+            Message(
+                "{feature} needs the Python package {package}. {hint}",
+                feature=feature,
+                package=module,
+                hint=install_hint(module),
+            )
+        )
     return found
 
 
@@ -53,7 +61,9 @@ def install_hint(module):
     """Say in one sentence how to install a package on this platform."""
     package = PIP_NAMES.get(module, module)
     if sys.platform == "win32":
-        return f"In the OSGeo4W Shell run: python -m pip install --user {package}"
+        return Message("In the OSGeo4W Shell run: {command}", command=f"python -m pip install --user {package}")
     if sys.platform == "darwin":
-        return f"Run: /Applications/QGIS.app/Contents/MacOS/bin/python3 -m pip install --user {package}"
-    return f"Run: python3 -m pip install --user {package} (or install your distribution's package)"
+        command = f"/Applications/QGIS.app/Contents/MacOS/bin/python3 -m pip install --user {package}"
+        return Message("Run: {command}", command=command)
+    command = f"python3 -m pip install --user {package}"
+    return Message("Run: {command} (or install your distribution's package)", command=command)

@@ -11,6 +11,7 @@ import io
 import numpy as np
 
 from ..base.errors import MissingPackageError
+from ..base.messages import Message
 from ..base.optional import require
 from .text import plain
 
@@ -134,8 +135,9 @@ def words_width(words, size_px=14, bold=False):
 
 
 def _pillow(module):
-    require("PIL", "Drawing and writing pictures")
-    return require(f"PIL.{module}", "Drawing and writing pictures")
+    feature = Message("Drawing and writing pictures")
+    require("PIL", feature)
+    return require(f"PIL.{module}", feature)
 
 
 def _encoded(pixels, kind, **options):
@@ -155,8 +157,10 @@ def _font(size_px, bold):
         return fonts.load_default(round(size_px))
     except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and knows no anchors
         raise MissingPackageError(
-            "Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or "
-            "Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow."
+            Message(
+                "Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or "
+                "Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow."
+            )
         ) from None
 
 

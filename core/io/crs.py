@@ -10,6 +10,7 @@ import numpy as np
 from osgeo import osr
 
 from ..base.errors import TerrainError
+from ..base.messages import Message
 from .gdal_quiet import quiet_gdal
 
 WGS84 = "EPSG:4326"
@@ -34,7 +35,9 @@ def spatial_reference(crs):
         except (RuntimeError, TypeError):  # TypeError: text that is no UTF-8, from a damaged header
             failed = True
     if failed:
-        raise TerrainError(f"The coordinate reference system {crs[:80]!r} is not understood. Assign a valid one.")
+        raise TerrainError(
+            Message("The coordinate reference system {crs} is not understood. Assign a valid one.", crs=repr(crs[:80]))
+        )
     reference.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return reference
 
@@ -72,7 +75,10 @@ class Transformer:
             except RuntimeError:
                 self._transformation = None
         if self._transformation is None or not self._transformation.this:
-            raise TerrainError(f"No transformation is known from {source[:60]!r} to {target[:60]!r}.")
+            names = repr(source[:60]), repr(target[:60])
+            raise TerrainError(
+                Message("No transformation is known from {source} to {target}.", source=names[0], target=names[1])
+            )
 
     def __call__(self, x, y):
         """Map coordinates; what lies outside the target's domain becomes NaN. Shapes broadcast together."""

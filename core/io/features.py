@@ -21,6 +21,7 @@ import os
 import numpy as np
 
 from ..base.errors import UnreadableFeaturesError
+from ..base.messages import Message
 from ..base.pixel_features import PixelFeature, downward, open_ring
 
 CORNER_PX = 0.5
@@ -58,26 +59,27 @@ def read_features(path):
     try:
         return _from_csv(path, text)
     except csv.Error as error:  # a null character, a field of more than 128 kB
-        raise UnreadableFeaturesError(path, f"an entry is incomplete ({error!r:.120}).") from None
+        raise UnreadableFeaturesError(path, _incomplete(error)) from None
 
 
 def _text(path):
     try:
         if os.path.getsize(path) > MAX_BYTES:
-            raise UnreadableFeaturesError(path, "it is larger than 200 MB. Split it by photograph.")
+            raise UnreadableFeaturesError(path, Message("it is larger than 200 MB. Split it by photograph."))
         with open(path, encoding="utf-8-sig") as file:
             return file.read()
     except UnicodeDecodeError:
-        raise UnreadableFeaturesError(path, "it is no text in UTF-8. Export it as JSON or CSV.") from None
+        raise UnreadableFeaturesError(path, Message("it is no text in UTF-8. Export it as JSON or CSV.")) from None
     except OSError as error:
-        raise UnreadableFeaturesError(path, f"it cannot be opened ({error.strerror}).") from None
+        reason = Message("it cannot be opened ({reason}).", reason=error.strerror)
+        raise UnreadableFeaturesError(path, reason) from None
 
 
 def _from_json(path, text):
     try:
         data = json.loads(text)
     except (ValueError, RecursionError):
-        raise UnreadableFeaturesError(path, "it is no valid JSON. Export it again.") from None
+        raise UnreadableFeaturesError(path, Message("it is no valid JSON. Export it again.")) from None
     for fits, read in (
         (lambda d: "shapes" in d, _labelme),
         (lambda d: "annotations" in d and "images" in d, _coco),
@@ -97,10 +99,15 @@ def _from_json(path, text):
                 OverflowError,
                 RecursionError,
             ) as error:
-                raise UnreadableFeaturesError(path, f"an entry is incomplete ({error!r:.120}).") from None
+                raise UnreadableFeaturesError(path, _incomplete(error)) from None
     raise UnreadableFeaturesError(
-        path, "it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y."
+        path,
+        Message("it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y."),
     )
+
+
+def _incomplete(error):
+    return Message("an entry is incomplete ({reason}).", reason=f"{error!r:.120}")
 
 
 def _labelme(data):
@@ -210,7 +217,9 @@ def _from_csv(path, text):
         return _via_csv(path, rows)
     x, y = (next((names[n] for n in wanted if n in names), None) for wanted in (_X, _Y))
     if x is None or y is None:
-        raise UnreadableFeaturesError(path, "it has no columns x and y (pixels). Name them so, and photo for the file.")
+        raise UnreadableFeaturesError(
+            path, Message("it has no columns x and y (pixels). Name them so, and photo for the file.")
+        )
     photo, label, group, kind = (
         next((names[n] for n in wanted if n in names), None) for wanted in (_PHOTO, _LABEL, _GROUP, _KIND)
     )
@@ -221,7 +230,7 @@ def _from_csv(path, text):
         except (TypeError, ValueError):
             place = np.nan, np.nan
         if not np.isfinite(place).all():
-            raise UnreadableFeaturesError(path, f"line {number + 2} has no numbers for x and y.")
+            raise UnreadableFeaturesError(path, Message("line {number} has no numbers for x and y.", number=number + 2))
         # Rows of one group are the vertices of one line or area, in order; without a group each is a point.
         named = (row.get(photo) or "") if photo else ""
         key = (named, row.get(group) or number) if group else (named, number)
@@ -256,7 +265,8 @@ def _via_csv(path, rows):
                 photo = row.get("filename") or row.get("#filename") or ""
                 features.append(_feature(photo, *drawn, _first(given), _plain(given)))
         except INCOMPLETE as error:
-            raise UnreadableFeaturesError(path, f"line {number + 2} is incomplete ({error!r:.120}).") from None
+            reason = Message("line {number} is incomplete ({reason}).", number=number + 2, reason=f"{error!r:.120}")
+            raise UnreadableFeaturesError(path, reason) from None
     return features
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ..base.errors import UnreadablePhotoError
+from ..base.messages import Message
 from ..base.optional import available
 
 PHOTO_SUFFIXES = (".jpg", ".jpeg", ".jpe", ".jfif", ".heic", ".heif", ".hif")
@@ -29,13 +30,13 @@ def format_of(path):
     """
     head = _first_bytes(path)
     if not head:
-        raise UnreadablePhotoError(path, "the file is empty. Copy it again from its source.")
+        raise UnreadablePhotoError(path, Message("the file is empty. Copy it again from its source."))
     if head.startswith(b"\xff\xd8\xff"):
         return "jpeg"
     if head[4:8] == b"ftyp" and _is_heif(head):
         if not is_whole(path, empty_allowed=available("pillow_heif") is not None):
             raise UnreadablePhotoError(
-                path, "it ends too early or its directory is damaged. Copy it again from its source."
+                path, Message("it ends too early or its directory is damaged. Copy it again from its source.")
             )
         return "heif"
     if head.startswith(b"\x89PNG\r\n\x1a\n"):
@@ -44,32 +45,38 @@ def format_of(path):
         return "tiff"
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "webp"
-    raise UnreadablePhotoError(path, "its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.")
+    raise UnreadablePhotoError(
+        path, Message("its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.")
+    )
 
 
 def check_size(path, width_px, height_px):
     """Refuse pictures of no size or of more than `MAX_PIXELS`."""
     if width_px < 1 or height_px < 1:
-        raise UnreadablePhotoError(path, "it has no pixels. Copy it again from its source.")
+        raise UnreadablePhotoError(path, Message("it has no pixels. Copy it again from its source."))
     if width_px * height_px > MAX_PIXELS:
         raise UnreadablePhotoError(
             path,
-            f"its {width_px} x {height_px} pixels are more than {MAX_PIXELS // 1_000_000} megapixels. "
-            "Reduce the picture first.",
+            Message(
+                "its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.",
+                width=width_px,
+                height=height_px,
+                limit=MAX_PIXELS // 1_000_000,
+            ),
         )
 
 
 def _first_bytes(path, count=64):
     try:
         if os.path.exists(path) and not os.path.isfile(path):  # a pipe would keep us waiting for ever
-            raise UnreadablePhotoError(path, "it is a folder or a device, not a file.")
+            raise UnreadablePhotoError(path, Message("it is a folder or a device, not a file."))
         with open(path, "rb") as file:
             return file.read(count)
     except FileNotFoundError:
-        raise UnreadablePhotoError(path, "there is no such file. Check the path.") from None
+        raise UnreadablePhotoError(path, Message("there is no such file. Check the path.")) from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the path
         reason = getattr(error, "strerror", None) or str(error)
-        raise UnreadablePhotoError(path, f"it cannot be opened ({reason}).") from None
+        raise UnreadablePhotoError(path, Message("it cannot be opened ({reason}).", reason=reason)) from None
 
 
 def _is_heif(head):

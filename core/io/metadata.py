@@ -11,6 +11,7 @@ from datetime import datetime
 from math import hypot, isfinite
 
 from ..base.camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
+from ..base.messages import Message
 
 MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
 """FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool reads them."""
@@ -85,17 +86,17 @@ def _position(tags, notes):
     latitude_deg = _degrees(tags["GPSLatitude"])
     longitude_deg = _degrees(tags["GPSLongitude"])
     if not (isfinite(latitude_deg) and isfinite(longitude_deg)):
-        notes.append("The recorded coordinates are not numbers (no GPS fix) and were ignored.")
+        notes.append(Message("The recorded coordinates are not numbers (no GPS fix) and were ignored."))
         return None, None
     if abs(latitude_deg) > 90 or abs(longitude_deg) > 180:
-        notes.append("The recorded coordinates lie outside the globe and were ignored.")
+        notes.append(Message("The recorded coordinates lie outside the globe and were ignored."))
         return None, None
     if latitude_deg == 0 and longitude_deg == 0:
-        notes.append("The recorded coordinates are 0, 0 (no GPS fix) and were ignored.")
+        notes.append(Message("The recorded coordinates are 0, 0 (no GPS fix) and were ignored."))
         return None, None
     south, west = _reference(tags, "GPSLatitudeRef"), _reference(tags, "GPSLongitudeRef")
     if south not in ("N", "S") or west not in ("E", "W"):
-        notes.append("The hemisphere is not recorded; north and east were assumed where it is missing.")
+        notes.append(Message("The hemisphere is not recorded; north and east were assumed where it is missing."))
     return (-latitude_deg if south == "S" else latitude_deg), (-longitude_deg if west == "W" else longitude_deg)
 
 
@@ -133,13 +134,17 @@ def _focal_length_35mm(tags, width_px, height_px, notes):
     if length is None:
         return None, FOCAL_SIGMA
     if recorded is None:
-        notes.append("The 35 mm equivalent was derived from the focal length and the focal plane resolution.")
+        notes.append(Message("The 35 mm equivalent was derived from the focal length and the focal plane resolution."))
     size = max(width_px, height_px), min(width_px, height_px)
     enlarged = _crop_factor(*_recorded_size(tags, size), *size)
     if enlarged > 1:
         notes.append(
-            f"The picture is a part of what the camera took: a 35 mm equivalent of {length * enlarged:.0f} mm was used "
-            f"instead of {length:.0f} mm. Give the horizontal field of view in HFOV_FIELD where it is known better."
+            Message(
+                "The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used "
+                "instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.",
+                used=f"{length * enlarged:.0f}",
+                recorded=f"{length:.0f}",
+            )
         )
     zoomed = (_positive(tags, "DigitalZoomRatio") or 1.0) > 1
     usual = any(_same_shape(size[0] / size[1], shape) for shape in SENSOR_SHAPES)

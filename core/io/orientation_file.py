@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.camera import Camera, Pose
+from ..base.messages import Message
 from ..base.model import Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
 
 CORE = Path(__file__).resolve().parent.parent
@@ -103,6 +104,8 @@ def _plain(value, arrays):
         return [_plain(item, arrays) for item in value]
     if isinstance(value, datetime):
         return {"time": value.isoformat()}
+    if isinstance(value, Message):  # not as the English sentence: the next run may be in another language
+        return {"message": value.template, "facts": {name: _plain(fact, arrays) for name, fact in value.facts.items()}}
     if type(value).__name__ in KINDS:
         return {"kind": type(value).__name__, **{f.name: _plain(getattr(value, f.name), arrays) for f in fields(value)}}
     return value
@@ -118,4 +121,8 @@ def _restored(value, arrays):
         return arrays[value["array"]]
     if "time" in value:
         return datetime.fromisoformat(value["time"])
+    if "message" in value and "kind" not in value:
+        return Message.restored(
+            value["message"], {name: _restored(fact, arrays) for name, fact in value["facts"].items()}
+        )
     return KINDS[value["kind"]](**{name: _restored(item, arrays) for name, item in value.items() if name != "kind"})

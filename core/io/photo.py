@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.errors import SkylineViewshedError
 from ..base.imaging import shrink
+from ..base.messages import Message
 from ..base.model import Photo, PhotoMetadata
 from .exif import read_tags
 from .formats import format_of, is_photo_name
@@ -31,7 +32,11 @@ def list_photos(folder, recursive=False):
             elif recursive and entry.is_dir(follow_symlinks=False) and not entry.name.startswith("."):
                 found += list_photos(entry.path, recursive=True)
     except OSError as error:
-        raise SkylineViewshedError(f"The folder {folder} cannot be listed: {error.strerror}. Check the path.") from None
+        raise SkylineViewshedError(
+            Message(
+                "The folder {folder} cannot be listed: {reason}. Check the path.", folder=folder, reason=error.strerror
+            )
+        ) from None
     return sorted(found)
 
 

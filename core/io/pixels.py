@@ -8,11 +8,12 @@ from contextlib import contextmanager
 import numpy as np
 
 from ..base.errors import UnreadablePhotoError
+from ..base.messages import Message
 from ..base.optional import available, install_hint
 from .formats import GDAL_DRIVERS, check_size
 from .gdal_quiet import open_quietly, quiet_gdal
 
-DAMAGED = "it is damaged or incomplete. Copy it again from its source."
+DAMAGED = Message("it is damaged or incomplete. Copy it again from its source.")
 
 
 def stored_size(path, kind):
@@ -55,7 +56,8 @@ def decode(path, kind, max_side_px=None):
             if pixels is not None:
                 return pixels, size
     except MemoryError:
-        raise UnreadablePhotoError(path, "it is too large for this computer's memory. Reduce the picture.") from None
+        reason = Message("it is too large for this computer's memory. Reduce the picture.")
+        raise UnreadablePhotoError(path, reason) from None
     raise _undecodable(path, kind)
 
 
@@ -70,7 +72,9 @@ def _undecodable(path, kind):
     heif_driver = available("osgeo.gdal") is not None and available("osgeo.gdal").GetDriverByName("HEIF")
     if kind == "heif" and available("pillow_heif") is None and not heif_driver:
         hint = install_hint("pillow_heif")
-        return UnreadablePhotoError(path, f"HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.")
+        return UnreadablePhotoError(
+            path, Message("HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.", hint=hint)
+        )
     return UnreadablePhotoError(path, DAMAGED)
 
 

@@ -8,11 +8,13 @@ import numpy as np
 from osgeo import gdal
 
 from ..base.angles import wrap_180
-from ..base.errors import ObserverOutsideDemError, TerrainError, UnusableDemError
+from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
+from ..base.messages import Message
 from ..base.terrain import Window
-from .crs import Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
+from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
+from .georeference import crs_of, geotransform_of
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Values beyond are fill values (-32768, -3.4e38, 1e20, ...), tagged or not: no place on Earth lies there."""
@@ -58,44 +60,27 @@ def open_dem(path, band=1, crs=None):
         dataset = open_quietly(path)
     if dataset is None:
         if not os.path.exists(path):
-            raise UnusableDemError(f"The DEM {path} does not exist. Check the path.")
-        raise UnusableDemError(f"The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.")
+            raise UnusableDemError(Message("The DEM {path} does not exist. Check the path.", path=path))
+        raise UnusableDemError(
+            Message("The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.", path=path)
+        )
     with quiet_gdal():  # GDAL reads, and complains of, the rest of the header only now
         return _dem(path, dataset, band, crs)
 
 
 def _dem(path, dataset, band, crs):
     if not 1 <= band <= dataset.RasterCount:
-        raise UnusableDemError(f"The DEM {path} has {dataset.RasterCount} band(s), and no band {band}.")
+        count = dataset.RasterCount
+        raise UnusableDemError(
+            Message("The DEM {path} has {count} band(s), and no band {band}.", path=path, count=count, band=band)
+        )
     if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
-        raise UnusableDemError(f"Band {band} of {path} holds complex numbers, not elevations.")
-    dem = Dem(path, dataset, band, _crs_wkt(path, dataset, crs), _geotransform(path, dataset))
+        raise UnusableDemError(
+            Message("Band {band} of {path} holds complex numbers, not elevations.", band=band, path=path)
+        )
+    dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
     dem._inspect()
     return dem
-
-
-def _crs_wkt(path, dataset, crs):
-    reference = dataset.GetSpatialRef() if crs is None else spatial_reference(crs)
-    if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
-        raise UnusableDemError(
-            f"The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs)."
-        )
-    wkt = reference.ExportToWkt()
-    try:
-        spatial_reference(wkt)
-    except TerrainError as error:
-        raise UnusableDemError(f"The DEM {path} cannot be placed. {error}") from None
-    return wkt
-
-
-def _geotransform(path, dataset):
-    transform = dataset.GetGeoTransform(can_return_null=True)
-    if transform is None or not np.isfinite(transform).all() or transform[1] == 0 or transform[5] == 0:
-        raise UnusableDemError(f"The DEM {path} is not georeferenced. Warp it to a CRS first (gdalwarp).")
-    shear = abs(transform[2]) * dataset.RasterYSize, abs(transform[4]) * dataset.RasterXSize
-    if shear[0] > 0.01 * abs(transform[1]) or shear[1] > 0.01 * abs(transform[5]):
-        raise UnusableDemError(f"The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).")
-    return (transform[0], transform[1], 0.0, transform[3], 0.0, transform[5])
 
 
 class Dem:
@@ -161,7 +146,10 @@ class Dem:
             except RuntimeError as error:
                 done, messages = None, [str(error)]
         if done is None:
-            raise UnusableDemError(f"The DEM {self.path} is damaged ({'; '.join(messages)[:200]}). Copy it again.")
+            reason = "; ".join(messages)[:200]
+            raise UnusableDemError(
+                Message("The DEM {path} is damaged ({reason}). Copy it again.", path=self.path, reason=reason)
+            )
         if hidden is None and self._surely_valid(float(strip.min()), float(strip.max())):
             return
         void = ~np.isfinite(strip)
@@ -241,7 +229,13 @@ class Dem:
         sample, edge = self._sample()
         valid = sample[np.isfinite(sample)]
         if valid.size == 0 and not self._any_valid():
-            raise UnusableDemError(f"Band {self.band} of the DEM {self.path} has no valid cell. Choose another DEM.")
+            raise UnusableDemError(
+                Message(
+                    "Band {band} of the DEM {path} has no valid cell. Choose another DEM.",
+                    band=self.band,
+                    path=self.path,
+                )
+            )
         land = valid[valid != 0]
         self.zero_is_void = bool((edge == 0).any() and land.size >= 100 and np.percentile(land, 1) > LOWLAND_M)
 

@@ -16,6 +16,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ..base.errors import OutputError
+from ..base.messages import Message
 
 JOURNALS = ("-wal", "-shm", "-journal")
 """What SQLite keeps beside a database; one that a dead process has left must not meet a new database."""
@@ -94,8 +95,8 @@ def _companions(main):
 def _output_error(path, error):
     reason = error.strerror or str(error)
     if not path.parent.is_dir():
-        reason = f"the folder {path.parent} does not exist"
-    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
+        reason = Message("the folder {folder} does not exist", folder=path.parent)
+    return OutputError.of_file(path, reason)
 
 
 class ReportFile:
@@ -157,7 +158,11 @@ class ReportFile:
     def _output_error(self, error):
         reason = error.strerror or str(error)
         if not os.path.isdir(self._folder):
-            reason = f"the folder {self._folder} does not exist"
+            reason = Message("the folder {folder} does not exist", folder=self._folder)
         return OutputError(
-            f"The report {self.path} cannot be written: {reason}. Choose another folder or free some space."
+            Message(
+                "The report {path} cannot be written: {reason}. Choose another folder or free some space.",
+                path=self.path,
+                reason=reason,
+            )
         )

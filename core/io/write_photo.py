@@ -11,6 +11,7 @@ from fractions import Fraction
 import numpy as np
 
 from ..base.errors import OutputError
+from ..base.messages import Message
 from ..base.optional import require
 
 HEIC_SUFFIXES = (".heic", ".heif")
@@ -63,12 +64,12 @@ def write_photo(path, pixels, metadata, quality=92):
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in HEIC_SUFFIXES + JPEG_SUFFIXES:
-        raise OutputError(f"The photo {path} cannot be written: name it .jpg or .heic.")
+        raise OutputError(Message("The photo {path} cannot be written: name it .jpg or .heic.", path=path))
     pixels = np.asarray(pixels)
     if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] != 3:
         raise ValueError(f"pixels must be uint8 (height, width, 3), not {pixels.dtype} {pixels.shape}")
     image_module = _pillow()
-    heif = require("pillow_heif", "Writing HEIC photographs") if suffix in HEIC_SUFFIXES else None
+    heif = require("pillow_heif", Message("Writing HEIC photographs")) if suffix in HEIC_SUFFIXES else None
     orientation = 1 if heif is not None else metadata.orientation
     stored = np.ascontiguousarray(_STORED_AS[orientation](pixels))
     picture = image_module.fromarray(stored)
@@ -85,7 +86,11 @@ def write_photo(path, pixels, metadata, quality=92):
         os.replace(part, path)
     except OSError as error:
         raise OutputError(
-            f"The photo {path} cannot be written: {error.strerror or error}. Choose another folder or free some space."
+            Message(
+                "The photo {path} cannot be written: {reason}. Choose another folder or free some space.",
+                path=path,
+                reason=error.strerror or str(error),
+            )
         ) from None
     finally:
         with suppress(OSError):
@@ -93,7 +98,7 @@ def write_photo(path, pixels, metadata, quality=92):
 
 
 def _pillow():
-    return require("PIL.Image", "Writing photographs")
+    return require("PIL.Image", Message("Writing photographs"))
 
 
 def _exif(image_module, metadata, orientation):

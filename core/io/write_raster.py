@@ -11,6 +11,7 @@ import numpy as np
 from osgeo import gdal
 
 from ..base.errors import OutputError
+from ..base.messages import Message
 from ..base.terrain import Window
 from .crs import local_plane, spatial_reference
 from .gdal_quiet import quiet_gdal, small_cache
@@ -105,20 +106,23 @@ def _create(part, window, dtype, bands, alpha=False):
     options += ["PHOTOMETRIC=RGB", "ALPHA=YES", "ZLEVEL=1"] if alpha else []
     dataset = gdal.GetDriverByName("GTiff").Create(part, window.cols, window.rows, bands, GDAL_TYPES[dtype], options)
     if dataset is None:
-        raise OSError("cannot be created")
+        raise OSError(Message("cannot be created"))
     return dataset
 
 
 def _output_error(path, messages, error):
-    words = [*messages, getattr(error, "strerror", None) or str(error)]
+    said = error.args[0] if error.args and isinstance(error.args[0], Message) else str(error)
+    words = [*messages, getattr(error, "strerror", None) or said]
     # Of all that GDAL says, what the system has said counts; libtiff's own words follow from it.
-    reason = next((cause for cause in SYSTEM_CAUSES for text in words if cause in text), words[0].split("\n")[0])
+    reason = next((cause for cause in SYSTEM_CAUSES for text in words if cause in text), words[0])
     folder = os.path.dirname(path) or "."
     if not os.path.isdir(folder):
-        reason = f"the folder {folder} does not exist"
+        reason = Message("the folder {folder} does not exist", folder=folder)
     elif not os.access(folder, os.W_OK):
-        reason = f"the folder {folder} is read-only"
-    return OutputError(f"The file {path} cannot be written: {reason}. Choose another folder or free some space.")
+        reason = Message("the folder {folder} is read-only", folder=folder)
+    elif not isinstance(reason, Message):
+        reason = reason.split("\n")[0]
+    return OutputError.of_file(path, reason)
 
 
 class RasterFile:
@@ -133,7 +137,7 @@ class RasterFile:
         for start in range(0, values.shape[0], 16 * BLOCK_PX):
             strip = np.ascontiguousarray(values[start : start + 16 * BLOCK_PX])
             if target.WriteArray(strip, col, row + start) != gdal.CE_None:
-                raise OSError("the disk may be full")
+                raise OSError(Message("the disk may be full"))
 
     def _describe(self, grid, window, nodata, texts, metadata):
         x0, dx, _, y0, _, dy = grid.geotransform

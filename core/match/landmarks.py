@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.angles import difference, wrap_360
 from ..base.camera import Pose, project, unproject
+from ..base.messages import Message
 
 
 def scale_landmarks(landmarks, full, reduced):
@@ -46,8 +47,10 @@ def landmark_notes(landmarks, camera, pose):
     for number, mark in enumerate(landmarks, 1):
         x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)
         if np.isfinite(x):
-            miss = f"{np.hypot(x - mark.x_px, y - mark.y_px):.0f} pixels"
+            count = f"{np.hypot(x - mark.x_px, y - mark.y_px):.0f}"
+            note = Message("Landmark {number} is met to within {count} pixels.", number=number, count=count)
         else:
-            miss = f"{abs(difference(mark.azimuth_deg, pose.heading_deg)):.0f} degrees"
-        notes.append(f"Landmark {number} is met to within {miss}.")
+            count = f"{abs(difference(mark.azimuth_deg, pose.heading_deg)):.0f}"
+            note = Message("Landmark {number} is met to within {count} degrees.", number=number, count=count)
+        notes.append(note)
     return tuple(notes)

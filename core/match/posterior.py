@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.angles import difference, wrap_360
+from ..base.messages import Message
 from .prior import log_ratio
 
 
@@ -83,28 +84,29 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
 
 
 def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=False):
-    """Status and the sentence that says why and what to do."""
+    """Status and the `Message` that says why and what to do."""
     best = probability[0]
     if finding.relief_deg < options.min_relief_deg and not has_landmarks:
-        return "rejected", (
+        return "rejected", Message(
             "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
         )
     if best >= options.accept_at:
-        return (
-            "accepted",
-            f"The horizon fits along {100 * finding.explained:.0f} % of the columns, and no other heading comes near.",
+        return "accepted", Message(
+            "The horizon fits along {share} % of the columns, and no other heading comes near.",
+            share=f"{100 * finding.explained:.0f}",
         )
     if best < options.reject_below:
-        return "rejected", (
+        return "rejected", Message(
             "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, "
             "a landmark or an approximate heading."
         )
-    rival = f"{wrap_360(finding.heading_deg[1]):.0f} degrees" if len(finding.heading_deg) > 1 else "another heading"
     if len(probability) > 1 and probability[1] > 0.5 * (1 - best):
-        return "ambiguous", (
-            f"{rival} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark."
+        return "ambiguous", Message(
+            "{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a "
+            "landmark.",
+            heading=f"{wrap_360(finding.heading_deg[1]):.0f}",
         )
-    return "ambiguous", (
+    return "ambiguous", Message(
         "The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."
     )
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..base.angles import wrap_360
 from ..base.curves import correlation, sharpness
+from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
 from .finding import Answers, examine, judge, relief_px
@@ -31,7 +32,7 @@ LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
 
 
-BEHIND_NOTE = (
+BEHIND_NOTE = Message(
     "The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline."
 )
 
@@ -146,7 +147,7 @@ class Judged:
     answers: Answers
     probability: np.ndarray
     status: str
-    message: str
+    message: Message
 
 
 def _look(evidence, known, progress):
@@ -179,10 +180,12 @@ def _edge_notes(answers):
     share = float(objective.curve.clipped[objective.curve.nearest(azimuth)].mean())
     if share < 0.2:
         return ()
-    return (
-        f"In {100 * share:.0f} % of the frame the DEM ends or has voids before higher terrain can be excluded; "
+    note = Message(
+        "In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; "
         "a larger DEM would make the heading surer.",
+        share=f"{100 * share:.0f}",
     )
+    return (note,)
 
 
 def _refusal(evidence, horizon, landmarks):
@@ -190,12 +193,12 @@ def _refusal(evidence, horizon, landmarks):
     width = evidence.probability.shape[1]
     telling = len(EvidenceStack.informative_columns(evidence.probability))
     if telling < LEAST_COLUMNS_SHARE * width and not landmarks:
-        return (
+        return Message(
             "Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, "
             "or supply a sky mask or a drawn skyline."
         )
     if not np.isfinite(horizon.elevation_deg).any():
-        return "The DEM has no terrain around this position. Use a DEM that reaches farther."
+        return Message("The DEM has no terrain around this position. Use a DEM that reaches farther.")
     return None
 
 

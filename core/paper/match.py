@@ -12,6 +12,7 @@ import numpy as np
 
 from ..base.camera import Camera, Pose, focal_of_fov_px
 from ..base.curves import curve_peaks, row_ncc, sharpness
+from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, checkpoint
 
@@ -91,14 +92,16 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
     heading = np.arange(0.0, 360.0, options.heading_step_deg)
     curve, tilt = correlate(heading, offset[valid], elevation[valid], horizon, progress)
     if not np.isfinite(curve).any():
-        return Orientation("rejected", "The skyline or the DEM's horizon is a straight line, which cannot be matched.")
+        return Orientation(
+            "rejected", Message("The skyline or the DEM's horizon is a straight line, which cannot be matched.")
+        )
     peaks = curve_peaks(heading, curve, options.peak_separation_deg)
     camera = Camera(skyline.width_px, skyline.height_px, focal_of_fov_px(skyline.width_px, hfov_deg))
     candidates = tuple(Candidate(Pose(float(heading[i]), float(tilt[i])), camera, float(curve[i])) for i in peaks[:3])
     first, second = curve[peaks[0]], curve[peaks[1]] if len(peaks) > 1 else None
     return Orientation(
         "ambiguous",
-        "The paper's method does not test its answer: compare the overlay, or use the robust method.",
+        Message("The paper's method does not test its answer: compare the overlay, or use the robust method."),
         candidates,
         curve_heading_deg=heading,
         curve_score=curve,
@@ -133,7 +136,8 @@ def correlate(heading_deg, offset_deg, elevation_deg, horizon, progress=SILENT):
 
 
 def _too_little(share):
-    return (
-        f"A skyline was found in only {100 * share:.0f} % of the columns. Use a photo that shows more of the skyline, "
-        "or supply a sky mask or a drawn skyline."
+    return Message(
+        "A skyline was found in only {share} % of the columns. Use a photo that shows more of the skyline, "
+        "or supply a sky mask or a drawn skyline.",
+        share=f"{100 * share:.0f}",
     )

@@ -15,6 +15,7 @@ from scipy import ndimage
 
 from ..base import imaging
 from ..base.errors import SkylineNotFoundError
+from ..base.messages import Message
 from ..base.model import Skyline
 
 
@@ -80,7 +81,7 @@ def extract_skyline_paper(pixels, options=PaperSkylineOptions()):  # noqa: B008 
     """
     row_px = first_terrain_row(sky_mask(pixels, options))
     if not np.isfinite(row_px).any():
-        raise SkylineNotFoundError("The picture has no smooth region above a rough one.")
+        raise SkylineNotFoundError(Message("The picture has no smooth region above a rough one."))
     row_px, kept = smooth_rows(row_px, options)
     height, width = pixels.shape[:2]
     return Skyline(row_px, kept.astype(float), width, height)

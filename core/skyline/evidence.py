@@ -18,6 +18,7 @@ import numpy as np
 from ..base import imaging
 from ..base.errors import SkylineNotFoundError
 from ..base.imaging import thumbnail
+from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import measure
 from .colour import learn_sky, relearn_sky
@@ -114,9 +115,9 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
     crop = top, bottom, left, right = find_crop(reduced)
     inner = reduced[top : reduced.shape[0] - bottom, left : reduced.shape[1] - right]
     if min(inner.shape[:2]) < SMALLEST_PX:
-        raise SkylineNotFoundError(f"The picture is only {width} x {height} pixels.")
+        raise SkylineNotFoundError(_too_small(width, height))
     if float(inner.max() - inner.min()) < 3:
-        raise SkylineNotFoundError("The picture has a single colour.")
+        raise SkylineNotFoundError(Message("The picture has a single colour."))
     appearance = measure(inner)
     ratio = learn_sky(appearance, options.colour_passes)
     score, probability = _believe(appearance, ratio, options)
@@ -181,11 +182,15 @@ def shipped_weights():
     return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
 
 
+def _too_small(width, height):
+    return Message("The picture is only {width} x {height} pixels.", width=width, height=height)
+
+
 def _reduce(pixels, work_px):
     height, width = pixels.shape[:2]
     factor = min(1.0, work_px / max(height, width, 1))
     if min(height, width) * factor < SMALLEST_PX:
-        raise SkylineNotFoundError(f"The picture is only {width} x {height} pixels.")
+        raise SkylineNotFoundError(_too_small(width, height))
     return imaging.shrink_to(pixels[..., :3], work_px)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..base.errors import SkylineNotFoundError
+from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 
 WORK_PX = 512
@@ -77,7 +78,7 @@ def evidence_from_line(x_px, row_px, width_px, height_px, sigma_px=None):
     x_px, row_px = np.asarray(x_px, float), np.asarray(row_px, float)
     known = np.isfinite(x_px) & np.isfinite(row_px)
     if known.sum() < 2:
-        raise SkylineNotFoundError("The drawn skyline has fewer than two points.")
+        raise SkylineNotFoundError(Message("The drawn skyline has fewer than two points."))
     order = np.argsort(x_px[known], kind="stable")
     columns = np.arange(width_px)
     line = np.interp(columns, x_px[known][order], row_px[known][order], left=np.nan, right=np.nan)
@@ -103,7 +104,7 @@ def _reduction(width_px, height_px):
 def _evidence_from_rows(row_px, rows_height, width_px, height_px, sigma):
     """Evidence on the reduced picture from one row (NaN: none) per column of a line or mask of any width."""
     if not np.isfinite(row_px).any():
-        raise SkylineNotFoundError("The supplied skyline or sky mask has no change from sky to terrain.")
+        raise SkylineNotFoundError(Message("The supplied skyline or sky mask has no change from sky to terrain."))
     scale = _reduction(width_px, height_px)
     width, height = max(1, round(width_px * scale)), max(2, round(height_px * scale))
     centre = (np.arange(width) + 0.5) * (len(row_px) / width) - 0.5

@@ -21,7 +21,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.errors import UnusableDemError
+from ..base.messages import Message
 
+FOLDED = Message("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
 NODES = 65
 """Nodes of the tables per side."""
 
@@ -196,8 +198,10 @@ def _bent(frame, plane, k_max):
         most = float(np.abs(bend[:, core]).max()) / plane.w_limit
         if not most < 0.5:
             raise UnusableDemError(
-                "The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). "
-                "Use a DEM in a projected coordinate system, such as UTM or polar stereographic."
+                Message(
+                    "The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). "
+                    "Use a DEM in a projected coordinate system, such as UTM or polar stereographic."
+                )
             )
         if reach >= 1.0 + 2 * most:
             break
@@ -208,7 +212,7 @@ def _bent(frame, plane, k_max):
     u_min, u_max = float(u[:, core].min()) - 1e-6, float(u[:, core].max()) + 1e-6
     rays = np.linspace(u_min, u_max, NODES)
     if not (np.diff(u, axis=1) > 0).all():
-        raise UnusableDemError("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
+        raise UnusableDemError(FOLDED)
     ray_w = np.array([np.interp(rays, u_line, w) for u_line in u])
     ray_d = np.array([np.interp(at, w, line) for at, line in zip(ray_w, plane.rho_m(w) * (1 + stretch))])
     frame_of = (k_max, float(w[0]), float(w[-1]))
@@ -235,7 +239,7 @@ def _cell_tables(frame, plane, k_max, reach):
     east, north = frame.to_local(col, row, iterations=8)
     j_line, k_line = np.tensordot(np.linalg.inv(plane.to_metres), np.array([east, north]), axes=1)
     if not (k_line > 0).all():
-        raise UnusableDemError("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
+        raise UnusableDemError(FOLDED)
     bend = j_line / k_line - w
     stretch = np.hypot(east, north) / (k * plane.rho_m(w)) - 1
     bend[0], stretch[0] = 0.0, 0.0

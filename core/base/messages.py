@@ -1,0 +1,58 @@
+"""Sentences for the user as a template and its facts, so that they can be translated where they are shown."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+
+class Message(str):
+    """An English sentence that keeps the template and the facts it was made of.
+
+    The core knows no translator. It writes ``Message("The DEM {path} does not exist.", path=path)``, and the shell
+    puts the template into the user's language and fills in the same facts (`algorithms.shared.i18n`).
+    `tools/make_translations.py` collects the templates, therefore the first argument is a literal.
+
+    A message is a `str`, so that the report, exceptions, JSON and comparisons use it as the plain sentence. What
+    builds a new string from it (``str()``, an f-string, ``+``, ``join``) gives the English sentence without its
+    structure: pass the message itself on, or make it a fact of another message. Equality and hash are the
+    sentence's.
+
+    Parameters
+    ----------
+    template : str
+        Names of facts stand in braces.
+    **facts : str, int or Message
+        Numbers with a fraction come formatted; of anything else, as a path, the text is taken.
+    """
+
+    __slots__ = ("_facts", "_template")
+
+    def __new__(cls, template, /, **facts):
+        """Fill the template in; a fact that it names and that is not given is a `KeyError`."""
+        facts = {name: fact if isinstance(fact, (str, int)) else str(fact) for name, fact in facts.items()}
+        message = super().__new__(cls, template.format(**facts))
+        message._template, message._facts = template, facts
+        return message
+
+    @classmethod
+    def restored(cls, template, facts):
+        """Give the message of a template and a dict of facts that were kept somewhere."""
+        return cls(template, **facts)
+
+    @property
+    def template(self):
+        """The sentence with names in braces for its facts."""
+        return self._template
+
+    @property
+    def facts(self):
+        """Read-only mapping of the facts by their names."""
+        return MappingProxyType(self._facts)
+
+    def __reduce__(self):
+        """Pickle and copy as template and facts."""
+        return Message.restored, (self._template, self._facts)
+
+    def __repr__(self):
+        """Show the call that makes the message."""
+        return f"Message({', '.join([repr(self._template), *(f'{k}={v!r}' for k, v in self._facts.items())])})"
