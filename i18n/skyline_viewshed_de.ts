@@ -1021,6 +1021,11 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give its fields of view in HFOV_FIELD.</source>
+        <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie seine Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
         <source>Pairs</source>
         <translation>Paare</translation>
     </message>
@@ -1431,411 +1436,6 @@
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Number of features that show no ground</source>
         <translation>Anzahl der Objekte, die kein Gelände zeigen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>GPS-Position</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>kleinbildäquivalente Brennweite</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Geben Sie seine Bildwinkel in HFOV_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>Das Foto {a} kann nicht gelesen werden: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>Dem Foto fehlt: {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>Es wurde keine Grenze zwischen Himmel und Gelände gefunden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>Die Position {a}, {b} (Breite, Länge) liegt außerhalb des DGM. Verwenden Sie ein DGM, das sie abdeckt, oder berichtigen Sie die Koordinaten des Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>Das DGM hat bei {a}, {b} (Breite, Länge) keine Höhe (NoData). Füllen Sie die Lücke, verwenden Sie ein anderes DGM oder geben Sie die Höhe der Kamera in HEIGHT_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>Die Bildobjekte {a} können nicht gelesen werden: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>Das Koordinatenbezugssystem {a} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>Von {a} nach {b} ist keine Transformation bekannt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>Die Datei kann nicht geöffnet werden ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>Zeile {a} hat keine Zahlen für x und y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>Zeile {a} ist unvollständig ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>Ein Eintrag ist unvollständig ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>Die Datei hat keine Pixel. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>{a} x {b} Pixel sind mehr als {c} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>Die Datei endet zu früh, oder ihr Verzeichnis ist beschädigt. Kopieren Sie sie neu von der Quelle.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>Die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten sind 0, 0 (kein GPS-Empfang) und wurden nicht verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>Die Halbkugel ist nicht aufgezeichnet; wo sie fehlt, wurden Nord und Ost angenommen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {b} mm galt eine kleinbildgleiche Brennweite von {a} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>Der Inhalt des Ordners {a} ist nicht zu lesen: {b}. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>Das DGM {a} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>Das DGM {a} hat {b} Kanäle und keinen Kanal {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>Kanal {a} von {b} enthält komplexe Zahlen, keine Höhen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Das DGM {a} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>Das DGM {a} ist nicht georeferenziert. Bringen Sie es zuerst in ein KBS (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Das DGM {a} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>Das DGM {a} gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>Das DGM {a} kann nicht verortet werden. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>Das DGM {a} ist beschädigt ({b}). Kopieren Sie es neu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>Kanal {a} des DGM {b} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Die Datei {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>es wurde nichts geschrieben</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>Das Foto {a} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Das Foto {a} kann nicht geschrieben werden: {b}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>Landmarke {a} ist auf {b} getroffen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} Pixel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} Grad</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {a} m {b} der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>above</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>below</source>
-        <translation>unter</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>In {a} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Nur in {a} % der Spalten wurde eine Horizontlinie gefunden. Verwenden Sie ein Foto, das mehr von ihr zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>Der Horizont passt auf {a} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} braucht das Python-Paket {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>Das Bild hat nur {a} x {b} Pixel.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>Das Bild hat nur eine Farbe.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>Die gezeichnete Horizontlinie hat weniger als zwei Punkte.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3194,19 +2794,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <location filename="../core/figures/ground.py"/>
-        <source>heading</source>
-        <translation>Blickrichtung</translation>
+        <source>No viewshed: the heading is unknown.</source>
+        <translation>Kein Sichtfeld: Die Blickrichtung ist unbekannt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>horizontaler Bildwinkel</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Kein Sichtfeld: {value} unbekannt.</translation>
+        <source>No viewshed: the horizontal field of view is unknown.</source>
+        <translation>Kein Sichtfeld: Der horizontale Bildwinkel ist unbekannt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3555,6 +3149,86 @@
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
     </message>
     <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The photo {path} cannot be read: {reason}</source>
+        <translation>Das Foto {path} kann nicht gelesen werden: {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{reason} Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The position {latitude}, {longitude} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>Die Position {latitude}, {longitude} (Breite, Länge) liegt außerhalb des DGM. Verwenden Sie ein DGM, das sie abdeckt, oder berichtigen Sie die Koordinaten des Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The DEM has no elevation (nodata) at {latitude}, {longitude} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Das DGM hat bei {latitude}, {longitude} (Breite, Länge) keine Höhe (NoData). Füllen Sie die Lücke, verwenden Sie ein anderes DGM oder geben Sie die Höhe der Kamera in HEIGHT_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The file {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Die Datei {path} kann nicht geschrieben werden: {reason}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The image features {path} cannot be read: {reason}</source>
+        <translation>Die Bildobjekte {path} können nicht gelesen werden: {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>{feature} needs the Python package {package}. {hint}</source>
+        <translation>{feature} braucht das Python-Paket {package}. {hint}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>In the OSGeo4W Shell run: {command}</source>
+        <translation>Führen Sie in der OSGeo4W-Shell aus: {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command}</source>
+        <translation>Führen Sie aus: {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Führen Sie aus: {command} (oder installieren Sie das Paket Ihrer Distribution)</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
+        <translation>Das Foto hat keine GPS-Position. Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>beschriftetes Foto</translation>
@@ -3563,6 +3237,11 @@
         <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>Blick</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>Blickrichtung</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3671,6 +3350,16 @@
         <translation>Der Horizont ist am höchsten beim Azimut {azimuth} mit {angle} Grad, {distance} entfernt; sein Median ist {median} Grad. In {share} % der Richtungen endet das DGM zu früh.</translation>
     </message>
     <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Das Zeichnen und Schreiben von Bildern</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Wertung über alle Blickrichtungen</translation>
@@ -3730,6 +3419,323 @@
         <location filename="../core/figures/text.py"/>
         <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
         <translation>N NNO NO ONO O OSO SO SSO S SSW SW WSW W WNW NW NNW</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
+        <translation>Das Koordinatenbezugssystem {crs} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>No transformation is known from {source} to {target}.</source>
+        <translation>Von {source} nach {target} ist keine Transformation bekannt.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <location filename="../core/io/formats.py"/>
+        <source>it cannot be opened ({reason}).</source>
+        <translation>Die Datei kann nicht geöffnet werden ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>an entry is incomplete ({reason}).</source>
+        <translation>Ein Eintrag ist unvollständig ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} has no numbers for x and y.</source>
+        <translation>Zeile {number} hat keine Zahlen für x und y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} is incomplete ({reason}).</source>
+        <translation>Zeile {number} ist unvollständig ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>Die Datei endet zu früh, oder ihr Verzeichnis ist beschädigt. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>Die Datei hat keine Pixel. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <translation>{width} x {height} Pixel sind mehr als {limit} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>Die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Das DGM {path} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} cannot be placed. {reason}</source>
+        <translation>Das DGM {path} kann nicht verortet werden. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Das DGM {path} ist nicht georeferenziert. Bringen Sie es zuerst in ein KBS (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Das DGM {path} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten sind 0, 0 (kein GPS-Empfang) und wurden nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>Die Halbkugel ist nicht aufgezeichnet; wo sie fehlt, wurden Nord und Ost angenommen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {recorded} mm galt eine kleinbildgleiche Brennweite von {used} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/photo.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Der Inhalt des Ordners {folder} ist nicht zu lesen: {reason}. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is damaged or incomplete. Copy it again from its source.</source>
+        <translation>Die Datei ist beschädigt oder unvollständig. Kopieren Sie sie neu von der Quelle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.</source>
+        <translation>HEIC braucht das Python-Paket pillow-heif. {hint}, oder exportieren Sie das Foto als JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} does not exist. Check the path.</source>
+        <translation>Das DGM {path} gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Das DGM {path} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
+        <translation>Das DGM {path} hat {count} Kanäle und keinen Kanal {band}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
+        <translation>Kanal {band} von {path} enthält komplexe Zahlen, keine Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is damaged ({reason}). Copy it again.</source>
+        <translation>Das DGM {path} ist beschädigt ({reason}). Kopieren Sie es neu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>Kanal {band} des DGM {path} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>den Ordner {folder} gibt es nicht</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Der Bericht {path} kann nicht geschrieben werden: {reason}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
+        <translation>Das Foto {path} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing HEIC photographs</source>
+        <translation>Das Schreiben von HEIC-Fotos</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Das Foto {path} kann nicht geschrieben werden: {reason}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing photographs</source>
+        <translation>Das Schreiben von Fotos</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>cannot be created</source>
+        <translation>sie kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} is read-only</source>
+        <translation>der Ordner {folder} ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the disk may be full</source>
+        <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} pixels.</source>
+        <translation>Landmarke {number} ist auf {count} Pixel getroffen.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} degrees.</source>
+        <translation>Landmarke {number} ist auf {count} Grad getroffen.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
+        <translation>Der Horizont passt auf {share} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{heading} Grad passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>In {share} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>A skyline was found in only {share} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Nur in {share} % der Spalten wurde eine Horizontlinie gefunden. Verwenden Sie ein Foto, das mehr von ihr zeigt, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/skyline.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
+    </message>
+    <message>
+        <location filename="../core/pipeline.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
@@ -4236,6 +4242,36 @@
         <location filename="../core/report/report.py"/>
         <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
         <translation>{count} Fotos haben hier Zahlen, aber keine Abbildungen, damit die Seite benutzbar bleibt: Ein Bericht zeichnet die ersten {most} ganz ({accepted} angenommene). Verarbeiten Sie sie in kleineren Gruppen, um alle zu sehen.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>Das Bild hat nur eine Farbe.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture is only {width} x {height} pixels.</source>
+        <translation>Das Bild hat nur {width} x {height} Pixel.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>Die gezeichnete Horizontlinie hat weniger als zwei Punkte.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
     </message>
 </context>
 </TS>

@@ -1021,6 +1021,11 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give its fields of view in HFOV_FIELD.</source>
+        <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé sus ángulos de visión en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
         <source>Pairs</source>
         <translation>Pares</translation>
     </message>
@@ -1431,411 +1436,6 @@
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Number of features that show no ground</source>
         <translation>Número de objetos que no muestran terreno</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>posición GPS</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>distancia focal (equivalente en 35 mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Désela con la geometría de una capa de puntos de fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Dé sus ángulos de visión en HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>No se puede leer la foto {a}: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>A la foto le falta: {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>No se halló ningún límite entre cielo y terreno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Use una foto que muestre una línea del horizonte de montañas, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>La posición {a}, {b} (latitud, longitud) está fuera del MDE. Use un MDE que la cubra o corrija las coordenadas de la foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>El MDE no tiene altitud (sin datos) en {a}, {b} (latitud, longitud). Rellene el hueco, use otro MDE o dé la altitud de la cámara en HEIGHT_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>No se pueden leer los objetos de la imagen {a}: {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>No se entiende el sistema de referencia de coordenadas {a}. Asigne uno válido.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>No se conoce ninguna transformación de {a} a {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>no se puede abrir ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>no es JSON válido. Expórtelo de nuevo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>la línea {a} no tiene números para x e y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>la línea {a} está incompleta ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>una entrada está incompleta ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>no tiene píxeles. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>sus {a} x {b} píxeles son más de {c} megapíxeles. Reduzca antes la imagen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>termina antes de tiempo o su directorio está dañado. Cópielo de nuevo desde su origen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>no existe tal archivo. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Las coordenadas registradas son 0, 0 (sin señal GPS) y se han ignorado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>El hemisferio no está registrado; donde falta se han supuesto norte y este.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {a} mm en vez de {b} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>No se puede listar la carpeta {a}: {b}. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>El MDE {a} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>El MDE {a} tiene {b} banda(s) y ninguna banda {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>La banda {a} de {b} contiene números complejos, no altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>El MDE {a} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>El MDE {a} no está georreferenciado. Llévelo primero a un SRC (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>El MDE {a} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>El MDE {a} no existe. Compruebe la ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>El MDE {a} no se puede situar. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>El MDE {a} está dañado ({b}). Cópielo de nuevo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>La banda {a} del MDE {b} no tiene ninguna celda válida. Elija otro MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>No se puede escribir el archivo {a}: {b}. Elija otra carpeta o libere espacio.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>no se escribió nada</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>No se puede escribir la foto {a}: llámela .jpg o .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>No se puede escribir la foto {a}: {b}. Elija otra carpeta o libere espacio.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>El punto de referencia {a} se acierta con {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} píxeles</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} grados</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {a} m {b} de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>above</source>
-        <translation>por encima</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>below</source>
-        <translation>por debajo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>En el {a} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Solo se halló una línea del horizonte en el {a} % de las columnas. Use una foto que muestre más de ella, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>El horizonte encaja en el {a} % de las columnas, y ningún otro rumbo se le acerca.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} necesita el paquete de Python {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>La imagen tiene solo {a} x {b} píxeles.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>La imagen tiene un solo color.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>La línea del horizonte dibujada tiene menos de dos puntos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3194,19 +2794,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <location filename="../core/figures/ground.py"/>
-        <source>heading</source>
-        <translation>rumbo</translation>
+        <source>No viewshed: the heading is unknown.</source>
+        <translation>Sin cuenca visual: rumbo desconocido.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>ángulo de visión horizontal</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Sin cuenca visual: {value} desconocido.</translation>
+        <source>No viewshed: the horizontal field of view is unknown.</source>
+        <translation>Sin cuenca visual: ángulo de visión horizontal desconocido.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3555,6 +3149,86 @@
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
     </message>
     <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The photo {path} cannot be read: {reason}</source>
+        <translation>No se puede leer la foto {path}: {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{reason} Use una foto que muestre una línea del horizonte de montañas, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The position {latitude}, {longitude} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La posición {latitude}, {longitude} (latitud, longitud) está fuera del MDE. Use un MDE que la cubra o corrija las coordenadas de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The DEM has no elevation (nodata) at {latitude}, {longitude} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>El MDE no tiene altitud (sin datos) en {latitude}, {longitude} (latitud, longitud). Rellene el hueco, use otro MDE o dé la altitud de la cámara en HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The file {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir el archivo {path}: {reason}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The image features {path} cannot be read: {reason}</source>
+        <translation>No se pueden leer los objetos de la imagen {path}: {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>{feature} needs the Python package {package}. {hint}</source>
+        <translation>{feature} necesita el paquete de Python {package}. {hint}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>In the OSGeo4W Shell run: {command}</source>
+        <translation>Ejecute en la OSGeo4W Shell: {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command}</source>
+        <translation>Ejecute: {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Ejecute: {command} (o instale el paquete de su distribución)</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
+        <translation>La foto no tiene posición GPS. Désela con la geometría de una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>fotografía rotulada</translation>
@@ -3563,6 +3237,11 @@
         <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>vista</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>rumbo</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3671,6 +3350,16 @@
         <translation>El horizonte es más alto en el acimut {azimuth} con {angle} grados, a {distance}; su mediana es de {median} grados. En el {share} % de las direcciones el MDE termina demasiado pronto.</translation>
     </message>
     <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Dibujar y escribir imágenes</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Puntuación en todos los rumbos</translation>
@@ -3730,6 +3419,323 @@
         <location filename="../core/figures/text.py"/>
         <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
         <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
+        <translation>No se entiende el sistema de referencia de coordenadas {crs}. Asigne uno válido.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>No transformation is known from {source} to {target}.</source>
+        <translation>No se conoce ninguna transformación de {source} a {target}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <location filename="../core/io/formats.py"/>
+        <source>it cannot be opened ({reason}).</source>
+        <translation>no se puede abrir ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>no es JSON válido. Expórtelo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>an entry is incomplete ({reason}).</source>
+        <translation>una entrada está incompleta ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} has no numbers for x and y.</source>
+        <translation>la línea {number} no tiene números para x e y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} is incomplete ({reason}).</source>
+        <translation>la línea {number} está incompleta ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>termina antes de tiempo o su directorio está dañado. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>no tiene píxeles. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <translation>sus {width} x {height} píxeles son más de {limit} megapíxeles. Reduzca antes la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>no existe tal archivo. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>El MDE {path} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} cannot be placed. {reason}</source>
+        <translation>El MDE {path} no se puede situar. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>El MDE {path} no está georreferenciado. Llévelo primero a un SRC (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>El MDE {path} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Las coordenadas registradas son 0, 0 (sin señal GPS) y se han ignorado.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>El hemisferio no está registrado; donde falta se han supuesto norte y este.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {used} mm en vez de {recorded} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/photo.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>No se puede listar la carpeta {folder}: {reason}. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is damaged or incomplete. Copy it again from its source.</source>
+        <translation>está dañado o incompleto. Cópielo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.</source>
+        <translation>HEIC necesita el paquete de Python pillow-heif. {hint}, o expórtela como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} does not exist. Check the path.</source>
+        <translation>El MDE {path} no existe. Compruebe la ruta.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>El MDE {path} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
+        <translation>El MDE {path} tiene {count} banda(s) y ninguna banda {band}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
+        <translation>La banda {band} de {path} contiene números complejos, no altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is damaged ({reason}). Copy it again.</source>
+        <translation>El MDE {path} está dañado ({reason}). Cópielo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La banda {band} del MDE {path} no tiene ninguna celda válida. Elija otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>la carpeta {folder} no existe</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir el informe {path}: {reason}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
+        <translation>No se puede escribir la foto {path}: llámela .jpg o .heic.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing HEIC photographs</source>
+        <translation>Escribir fotos HEIC</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir la foto {path}: {reason}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing photographs</source>
+        <translation>Escribir fotos</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>cannot be created</source>
+        <translation>no se puede crear</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} is read-only</source>
+        <translation>la carpeta {folder} es de solo lectura</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the disk may be full</source>
+        <translation>puede que el disco esté lleno</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} pixels.</source>
+        <translation>El punto de referencia {number} se acierta con {count} píxeles.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} degrees.</source>
+        <translation>El punto de referencia {number} se acierta con {count} grados.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
+        <translation>El horizonte encaja en el {share} % de las columnas, y ningún otro rumbo se le acerca.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{heading} grados encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>En el {share} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>A skyline was found in only {share} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Solo se halló una línea del horizonte en el {share} % de las columnas. Use una foto que muestre más de ella, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/skyline.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
+    </message>
+    <message>
+        <location filename="../core/pipeline.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
@@ -4236,6 +4242,36 @@
         <location filename="../core/report/report.py"/>
         <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
         <translation>{count} fotografías tienen aquí números pero no figuras, para que la página siga siendo manejable: un informe dibuja enteras las primeras {most} ({accepted} aceptadas). Procéselas en grupos más pequeños para verlas todas.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>La imagen tiene un solo color.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture is only {width} x {height} pixels.</source>
+        <translation>La imagen tiene solo {width} x {height} píxeles.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La línea del horizonte dibujada tiene menos de dos puntos.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
     </message>
 </context>
 </TS>

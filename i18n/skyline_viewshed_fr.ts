@@ -1021,6 +1021,11 @@
     </message>
     <message>
         <location filename="../algorithms/measure_offsets.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give its fields of view in HFOV_FIELD.</source>
+        <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez ses angles de champ dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/measure_offsets.py"/>
         <source>Pairs</source>
         <translation>Paires</translation>
     </message>
@@ -1431,411 +1436,6 @@
         <location filename="../algorithms/pixel_to_map.py"/>
         <source>Number of features that show no ground</source>
         <translation>Nombre d'entités qui ne montrent aucun terrain</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>GPS position</source>
-        <translation>position GPS</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>focal length (35 mm equivalent)</source>
-        <translation>focale (équivalente 35 mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give it by the geometry of a photo point layer.</source>
-        <translation>Donnez-la par la géométrie d'une couche de points de photos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Give its fields of view in HFOV_FIELD.</source>
-        <translation>Donnez ses angles de champ dans HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be read: {b}</source>
-        <translation>La photo {a} ne peut pas être lue : {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo has no {a}. {b}</source>
-        <translation>Il manque à la photo : {a}. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No boundary between sky and terrain was found.</source>
-        <translation>Aucune limite entre ciel et terrain n'a été trouvée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>{a} Utilisez une photo qui montre une ligne d'horizon de montagnes, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The position {a}, {b} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
-        <translation>La position {a}, {b} (latitude, longitude) se trouve hors du MNT. Utilisez un MNT qui la couvre, ou corrigez les coordonnées de la photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no elevation (nodata) at {a}, {b} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
-        <translation>Le MNT n'a pas d'altitude (nodata) en {a}, {b} (latitude, longitude). Comblez la lacune, utilisez un autre MNT, ou donnez l'altitude de l'appareil dans HEIGHT_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The image features {a} cannot be read: {b}</source>
-        <translation>Les entités de l'image {a} ne peuvent pas être lues : {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The coordinate reference system {a} is not understood. Assign a valid one.</source>
-        <translation>Le système de coordonnées de référence {a} n'est pas compris. Attribuez-en un valide.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No transformation is known from {a} to {b}.</source>
-        <translation>Aucune transformation n'est connue de {a} vers {b}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is larger than 200 MB. Split it by photograph.</source>
-        <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
-        <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it cannot be opened ({a}).</source>
-        <translation>il ne peut pas être ouvert ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is no valid JSON. Export it again.</source>
-        <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} has no numbers for x and y.</source>
-        <translation>la ligne {a} n'a pas de nombres pour x et y.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>line {a} is incomplete ({b}).</source>
-        <translation>la ligne {a} est incomplète ({b}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>an entry is incomplete ({a}).</source>
-        <translation>une entrée est incomplète ({a}).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
-        <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>the file is empty. Copy it again from its source.</source>
-        <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it has no pixels. Copy it again from its source.</source>
-        <translation>il n'a pas de pixels. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>its {a} x {b} pixels are more than {c} megapixels. Reduce the picture first.</source>
-        <translation>ses {a} x {b} pixels dépassent {c} mégapixels. Réduisez d'abord l'image.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
-        <translation>il finit trop tôt ou son répertoire est endommagé. Copiez-le à nouveau depuis sa source.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>there is no such file. Check the path.</source>
-        <translation>ce fichier n'existe pas. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
-        <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
-        <translation>Les coordonnées enregistrées sont 0, 0 (pas de signal GPS) et ont été ignorées.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
-        <translation>L'hémisphère n'est pas enregistré ; là où il manque, nord et est ont été supposés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {a} mm was used instead of {b} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {a} mm a été utilisé au lieu de {b} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The folder {a} cannot be listed: {b}. Check the path.</source>
-        <translation>Le contenu du dossier {a} ne peut pas être lu : {b}. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
-        <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not a raster that GDAL can read. Choose an elevation raster.</source>
-        <translation>Le MNT {a} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has {b} band(s), and no band {c}.</source>
-        <translation>Le MNT {a} a {b} bande(s), et pas de bande {c}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of {b} holds complex numbers, not elevations.</source>
-        <translation>La bande {a} de {b} contient des nombres complexes, pas des altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Le MNT {a} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
-        <translation>Le MNT {a} n'est pas géoréférencé. Projetez-le d'abord dans un SCR (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Le MNT {a} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} does not exist. Check the path.</source>
-        <translation>Le MNT {a} n'existe pas. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} cannot be placed. {b}</source>
-        <translation>Le MNT {a} ne peut pas être situé. {b}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM {a} is damaged ({b}). Copy it again.</source>
-        <translation>Le MNT {a} est endommagé ({b}). Copiez-le à nouveau.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Band {a} of the DEM {b} has no valid cell. Choose another DEM.</source>
-        <translation>La bande {a} du MNT {b} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The file {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>Le fichier {a} ne peut pas être écrit : {b}. Choisissez un autre dossier ou libérez de l'espace.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>nothing was written</source>
-        <translation>rien n'a été écrit</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: name it .jpg or .heic.</source>
-        <translation>La photo {a} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The photo {a} cannot be written: {b}. Choose another folder or free some space.</source>
-        <translation>La photo {a} ne peut pas être écrite : {b}. Choisissez un autre dossier ou libérez de la place.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Landmark {a} is met to within {b}.</source>
-        <translation>Le point de repère {a} est atteint à {b} près.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} pixels</source>
-        <translation>{a} pixels</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} degrees</source>
-        <translation>{a} degrés</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude lies {a} m {b} the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {a} m {b} de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>above</source>
-        <translation>au-dessus</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>below</source>
-        <translation>au-dessous</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>In {a} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>Dans {a} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>A skyline was found in only {a} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Une ligne d'horizon n'a été trouvée que dans {a} % des colonnes. Utilisez une photo qui en montre davantage, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
-        <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The horizon fits along {a} % of the columns, and no other heading comes near.</source>
-        <translation>L'horizon convient sur {a} % des colonnes, et aucun autre cap ne s'en approche.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{a} convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>{a} needs the Python package {b}. {c}</source>
-        <translation>{a} exige le paquet Python {b}. {c}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture is only {a} x {b} pixels.</source>
-        <translation>L'image n'a que {a} x {b} pixels.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has a single colour.</source>
-        <translation>L'image n'a qu'une couleur.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The drawn skyline has fewer than two points.</source>
-        <translation>La ligne d'horizon dessinée a moins de deux points.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
-        <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The picture has no smooth region above a rough one.</source>
-        <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/core_sentences.py"/>
-        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
-        <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3194,19 +2794,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <location filename="../core/figures/ground.py"/>
-        <source>heading</source>
-        <translation>azimut de visée</translation>
+        <source>No viewshed: the heading is unknown.</source>
+        <translation>Pas de bassin visuel : azimut de visée inconnu.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
-        <source>horizontal field of view</source>
-        <translation>angle de champ horizontal</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/visibility.py"/>
-        <source>No viewshed: the {value} is unknown.</source>
-        <translation>Pas de bassin visuel : {value} inconnu.</translation>
+        <source>No viewshed: the horizontal field of view is unknown.</source>
+        <translation>Pas de bassin visuel : angle de champ horizontal inconnu.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/visibility.py"/>
@@ -3555,6 +3149,86 @@
         <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
     </message>
     <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The photo {path} cannot be read: {reason}</source>
+        <translation>La photo {path} ne peut pas être lue : {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>{reason} Utilisez une photo qui montre une ligne d'horizon de montagnes, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The position {latitude}, {longitude} (latitude, longitude) lies outside the DEM. Use a DEM that covers it, or correct the photo's coordinates.</source>
+        <translation>La position {latitude}, {longitude} (latitude, longitude) se trouve hors du MNT. Utilisez un MNT qui la couvre, ou corrigez les coordonnées de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The DEM has no elevation (nodata) at {latitude}, {longitude} (latitude, longitude). Fill the void, use another DEM, or give the eye's elevation in HEIGHT_FIELD.</source>
+        <translation>Le MNT n'a pas d'altitude (nodata) en {latitude}, {longitude} (latitude, longitude). Comblez la lacune, utilisez un autre MNT, ou donnez l'altitude de l'appareil dans HEIGHT_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The file {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Le fichier {path} ne peut pas être écrit : {reason}. Choisissez un autre dossier ou libérez de l'espace.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/errors.py"/>
+        <source>The image features {path} cannot be read: {reason}</source>
+        <translation>Les entités de l'image {path} ne peuvent pas être lues : {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>{feature} needs the Python package {package}. {hint}</source>
+        <translation>{feature} exige le paquet Python {package}. {hint}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>In the OSGeo4W Shell run: {command}</source>
+        <translation>Exécutez dans l'OSGeo4W Shell : {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command}</source>
+        <translation>Exécutez : {command}</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Exécutez : {command} (ou installez le paquet de votre distribution)</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
+        <translation>La photo n'a pas de position GPS. Donnez-la par la géométrie d'une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
+        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>photo annotée</translation>
@@ -3563,6 +3237,11 @@
         <location filename="../core/figures/ground.py"/>
         <source>view</source>
         <translation>vue</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/ground.py"/>
+        <source>heading</source>
+        <translation>azimut de visée</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3671,6 +3350,16 @@
         <translation>L'horizon est le plus haut à l'azimut {azimuth} avec {angle} degrés, à {distance} ; sa médiane est de {median} degrés. Dans {share} % des directions, le MNT s'arrête trop tôt.</translation>
     </message>
     <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Le dessin et l'écriture d'images</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/raster.py"/>
+        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
+        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
+    </message>
+    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Score sur tous les azimuts</translation>
@@ -3730,6 +3419,323 @@
         <location filename="../core/figures/text.py"/>
         <source>N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW</source>
         <translation>N NNE NE ENE E ESE SE SSE S SSO SO OSO O ONO NO NNO</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
+        <translation>Le système de coordonnées de référence {crs} n'est pas compris. Attribuez-en un valide.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/crs.py"/>
+        <source>No transformation is known from {source} to {target}.</source>
+        <translation>Aucune transformation n'est connue de {source} vers {target}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is larger than 200 MB. Split it by photograph.</source>
+        <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <location filename="../core/io/formats.py"/>
+        <source>it cannot be opened ({reason}).</source>
+        <translation>il ne peut pas être ouvert ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is no valid JSON. Export it again.</source>
+        <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
+        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>an entry is incomplete ({reason}).</source>
+        <translation>une entrée est incomplète ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
+        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} has no numbers for x and y.</source>
+        <translation>la ligne {number} n'a pas de nombres pour x et y.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/features.py"/>
+        <source>line {number} is incomplete ({reason}).</source>
+        <translation>la ligne {number} est incomplète ({reason}).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>the file is empty. Copy it again from its source.</source>
+        <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it ends too early or its directory is damaged. Copy it again from its source.</source>
+        <translation>il finit trop tôt ou son répertoire est endommagé. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it has no pixels. Copy it again from its source.</source>
+        <translation>il n'a pas de pixels. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <translation>ses {width} x {height} pixels dépassent {limit} mégapixels. Réduisez d'abord l'image.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>it is a folder or a device, not a file.</source>
+        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/formats.py"/>
+        <source>there is no such file. Check the path.</source>
+        <translation>ce fichier n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Le MNT {path} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} cannot be placed. {reason}</source>
+        <translation>Le MNT {path} ne peut pas être situé. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is not georeferenced. Warp it to a CRS first (gdalwarp).</source>
+        <translation>Le MNT {path} n'est pas géoréférencé. Projetez-le d'abord dans un SCR (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
+        <translation>Le MNT {path} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates lie outside the globe and were ignored.</source>
+        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The recorded coordinates are 0, 0 (no GPS fix) and were ignored.</source>
+        <translation>Les coordonnées enregistrées sont 0, 0 (pas de signal GPS) et ont été ignorées.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The hemisphere is not recorded; north and east were assumed where it is missing.</source>
+        <translation>L'hémisphère n'est pas enregistré ; là où il manque, nord et est ont été supposés.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
+        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/photo.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu : {reason}. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is damaged or incomplete. Copy it again from its source.</source>
+        <translation>il est endommagé ou incomplet. Copiez-le à nouveau depuis sa source.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/pixels.py"/>
+        <source>HEIC needs the Python package pillow-heif. {hint}, or export it as JPEG.</source>
+        <translation>HEIC exige le paquet Python pillow-heif. {hint}, ou exportez la photo en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} does not exist. Check the path.</source>
+        <translation>Le MNT {path} n'existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
+        <translation>Le MNT {path} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
+        <translation>Le MNT {path} a {count} bande(s), et pas de bande {band}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
+        <translation>La bande {band} de {path} contient des nombres complexes, pas des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>The DEM {path} is damaged ({reason}). Copy it again.</source>
+        <translation>Le MNT {path} est endommagé ({reason}). Copiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/raster.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La bande {band} du MNT {path} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>le dossier {folder} n'existe pas</translation>
+    </message>
+    <message>
+        <location filename="../core/io/whole_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Le rapport {path} ne peut pas être écrit : {reason}. Choisissez un autre dossier ou libérez de l'espace.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
+        <translation>La photo {path} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing HEIC photographs</source>
+        <translation>L'écriture de photos HEIC</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>The photo {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>La photo {path} ne peut pas être écrite : {reason}. Choisissez un autre dossier ou libérez de la place.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_photo.py"/>
+        <source>Writing photographs</source>
+        <translation>L'écriture de photos</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>cannot be created</source>
+        <translation>il ne peut pas être créé</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} is read-only</source>
+        <translation>le dossier {folder} est en lecture seule</translation>
+    </message>
+    <message>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} pixels.</source>
+        <translation>Le point de repère {number} est atteint à {count} pixels près.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} is met to within {count} degrees.</source>
+        <translation>Le point de repère {number} est atteint à {count} degrés près.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
+        <translation>L'horizon convient sur {share} % des colonnes, et aucun autre cap ne s'en approche.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>{heading} degrés convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
+        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
+        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
+        <translation>Dans {share} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
+        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
+        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/match.py"/>
+        <source>A skyline was found in only {share} % of the columns. Use a photo that shows more of the skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Une ligne d'horizon n'a été trouvée que dans {share} % des colonnes. Utilisez une photo qui en montre davantage, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../core/paper/skyline.py"/>
+        <source>The picture has no smooth region above a rough one.</source>
+        <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
+    </message>
+    <message>
+        <location filename="../core/pipeline.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
@@ -4236,6 +4242,36 @@
         <location filename="../core/report/report.py"/>
         <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
         <translation>{count} photos ont ici des chiffres mais pas de figures, pour que la page reste utilisable : un rapport dessine les {most} premières en entier ({accepted} acceptées). Traitez-les en plus petits groupes pour les voir toutes.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture has a single colour.</source>
+        <translation>L'image n'a qu'une couleur.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/evidence.py"/>
+        <source>The picture is only {width} x {height} pixels.</source>
+        <translation>L'image n'a que {width} x {height} pixels.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The drawn skyline has fewer than two points.</source>
+        <translation>La ligne d'horizon dessinée a moins de deux points.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/given.py"/>
+        <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
+        <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
+        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
+    </message>
+    <message>
+        <location filename="../core/viewshed/geometry.py"/>
+        <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
+        <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
     </message>
 </context>
 </TS>

@@ -12,7 +12,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from messages import sentences
+from messages import messages
 from skyline_viewshed.tools import make_translations as translations
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -86,33 +86,47 @@ def test_placeholders_and_tags_are_compared():
     assert translations.placeholders("<b>x</b>") != translations.placeholders("<i>x</i>")
 
 
-def test_a_string_that_is_no_literal_is_refused(tmp_path):
-    (tmp_path / "plugin.py").write_text("tr(f'{name} is here')")
-    with pytest.raises(ValueError, match=r"plugin\.py:1: tr\(\) takes one literal string"):
+@pytest.mark.parametrize("call", ["tr(f'{name} is here')", "Message(TEMPLATE, name=name)", "say('a', 'b')"])
+def test_a_string_that_is_no_literal_is_refused(tmp_path, call):
+    (tmp_path / "plugin.py").write_text(call)
+    with pytest.raises(ValueError, match=r"plugin\.py:1: \w+\(\) takes one literal string"):
         translations.source_strings(tmp_path)
 
 
-def test_every_sentence_of_the_core_has_a_template():
-    from skyline_viewshed.algorithms.shared.core_sentences import SENTENCES
-
-    known = {re.sub(r"\{\w\}", "…", template) for template in SENTENCES}
-    said = {text for where, text in sentences() if where.startswith("core/")}
-    assert len(said) > 50
-    assert said - known == set()
+def test_templates_of_messages_are_strings_of_the_source(tmp_path):
+    (tmp_path / "plugin.py").write_text("Message('{path} is here', path=path)\nother.Message.restored(a, b)")
+    assert translations.source_strings(tmp_path) == {"{path} is here": [("plugin.py", 1)]}
 
 
-def test_a_sentence_of_the_core_is_taken_apart_and_put_together(monkeypatch):
-    from skyline_viewshed.algorithms.shared import core_sentences
+def test_every_message_is_given_the_facts_that_it_names():
+    offenders = []
+    for where, call in messages():
+        named = set(re.findall(r"\{(\w*)\}", call.args[0].value))
+        if named != {keyword.arg for keyword in call.keywords}:
+            offenders.append(f"{where}:{call.lineno}: {call.args[0].value}")
+    assert offenders == []
 
-    german = translations.read_catalogue(translations.catalogue_path("de"))
-    text = (
-        "The photo /tmp/a b.jpg cannot be read: its 9 x 8 pixels are more than 7 megapixels. Reduce the picture first."
+
+def test_a_message_and_the_message_inside_are_translated(monkeypatch):
+    from skyline_viewshed.algorithms.shared import i18n
+    from skyline_viewshed.core.base.errors import UnreadablePhotoError
+    from skyline_viewshed.core.base.messages import Message
+
+    reason = Message(
+        "its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.",
+        width=9,
+        height=8,
+        limit=7,
     )
-    assert core_sentences.in_users_language(text) == text
-    monkeypatch.setattr(core_sentences, "marked", german.get)
-    translated = core_sentences.in_users_language(text)
-    assert "/tmp/a b.jpg" in translated and "9 x 8" in translated and "photo" not in translated
-    assert core_sentences.in_users_language("Nothing we know.") == "Nothing we know."
+    error = UnreadablePhotoError("/tmp/{a} b.jpg", reason)
+    assert i18n.in_users_language(error.message) == str(error)
+    german = translations.read_catalogue(translations.catalogue_path("de"))
+    monkeypatch.setattr(i18n, "marked", german.__getitem__)
+    assert i18n.in_users_language(error.message) == (
+        "Das Foto /tmp/{a} b.jpg kann nicht gelesen werden: 9 x 8 Pixel sind mehr als 7 Megapixel. "
+        "Verkleinern Sie das Bild zuerst."
+    )
+    assert i18n.in_users_language("Schon übersetzt, {a}.") == "Schon übersetzt, {a}."
 
 
 @pytest.mark.parametrize(
