@@ -8,7 +8,15 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.core import (
+    QgsApplication,
+    QgsFeature,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingContext,
+    QgsProject,
+    QgsVectorLayer,
+)
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from skyline_viewshed.tools import make_translations
 
@@ -72,6 +80,55 @@ def photos(run, scene, tmp_path):
     path = str(tmp_path / "photos.gpkg")
     run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": path})
     return path
+
+
+def filled(template, **facts):
+    """Pattern of a translated template whose other facts are numbers."""
+    return re.sub(r"\\{(\w+)\\}", lambda name: facts.get(name[1], r"[\d.]+"), re.escape(template))
+
+
+def test_what_the_core_says_is_in_the_language_even_if_an_english_run_has_kept_it(speaking, run, scene, tmp_path):
+    """An error with its reason, a verdict and a note; all three as attributes, in the log and in the report."""
+    layer = QgsVectorLayer("Point?crs=EPSG:4326&field=photo:string", "points", "memory")
+    for path in (scene.odd / "null_island.jpg", scene.odd / "damaged.jpg"):
+        feature = QgsFeature(layer.fields())
+        feature.setAttributes([str(path)])
+        feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(*scene.positions["west"])))
+        layer.dataProvider().addFeatures([feature])
+    given = {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:", "ORIENTATIONS": str(tmp_path / "kept")}
+    results, _ = run("orientphotos", given)
+    assert "and no other heading comes near" in next(results["OUTPUT"].getFeatures())["message"]
+    catalogue = speaking("de")
+    results, feedback = run("orientphotos", {**given, "REPORT": str(tmp_path / "report.html")})
+    taken = filled(catalogue["{name}: taken from {path}"], name="null_island.jpg", path=".*")
+    assert any(re.fullmatch(taken, info) for info in feedback.infos)
+    answered, failed = (feature["message"] for feature in results["OUTPUT"].getFeatures())
+    verdict = catalogue["The horizon fits along {share} % of the columns, and no other heading comes near."]
+    note = catalogue["The recorded coordinates are 0, 0 (no GPS fix) and were ignored."]
+    edge = catalogue[
+        "In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would "
+        "make the heading surer."
+    ]
+    assert re.fullmatch(f"{filled(verdict)} {re.escape(note)} {filled(edge)}", answered)
+    reason = catalogue["it is damaged or incomplete. Copy it again from its source."]
+    path = str(scene.odd / "damaged.jpg")
+    assert failed == catalogue["The photo {path} cannot be read: {reason}"].format(path=path, reason=reason)
+    assert f"damaged.jpg: {failed}" in feedback.warnings
+    said = words_of(tmp_path / "report.html")
+    assert note in said and reason in said and re.search(filled(verdict), said)
+
+
+def test_a_refused_dem_is_refused_in_the_language(speaking, refusal, scene, tmp_path):
+    path = str(tmp_path / "rotated.tif")
+    gdal.Translate(path, str(scene.dem))
+    rotated = gdal.Open(path, gdal.GA_Update)
+    rotated.SetGeoTransform((0, 20, 5, 0, 5, -20))
+    del rotated
+    catalogue = speaking("de")
+    sentence = catalogue["The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp)."]
+    outputs = {"OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": str(tmp_path / "v.tif")}
+    said = refusal("photoviewshed", {"FOLDER": str(scene.folder), "DEM": path, **outputs})
+    assert said == sentence.format(path=path)
 
 
 def test_a_horizon_report_speaks_the_language(speaking, run, scene, tmp_path):

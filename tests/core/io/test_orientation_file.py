@@ -13,6 +13,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.errors import SkylineNotFoundError
+from skyline_viewshed.core.base.messages import Message
 from skyline_viewshed.core.base.model import (
     Candidate,
     HorizonProfile,
@@ -82,6 +84,18 @@ def test_an_answer_of_which_next_to_nothing_is_known_comes_back_too(tmp_path):
     photo = OrientedPhoto("", Orientation("rejected", "No skyline."))
     (tmp_path / "a.npz").write_bytes(packed(photo, MARK))
     assert_same(photo, unpacked(tmp_path / "a.npz", MARK))
+
+
+def test_messages_come_back_with_template_and_facts(tmp_path):
+    reason = Message("The picture is only {width} x {height} pixels.", width=9, height=8)
+    error = SkylineNotFoundError(reason)
+    note = Message("The recorded coordinates lie outside the globe and were ignored.")
+    photo = OrientedPhoto("", Orientation("rejected", error.message, notes=(note,)))
+    (tmp_path / "a.npz").write_bytes(packed(photo, MARK))
+    answer = unpacked(tmp_path / "a.npz", MARK).orientation
+    assert answer.message == str(error) and answer.message.template == error.message.template
+    assert isinstance(answer.message.facts["reason"], Message) and answer.message.facts["reason"].facts == reason.facts
+    assert answer.notes == (note,) and answer.notes[0].template == note
 
 
 def test_pixel_scores_that_no_report_draws_are_left_out(tmp_path):
