@@ -1,4 +1,4 @@
-"""What all tests share: the shared data, QGIS with our provider, a photographed scene with known truth."""
+"""What all tests share: their environment, the shared data, QGIS with our provider, a scene with known truth."""
 
 from __future__ import annotations
 
@@ -6,20 +6,28 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+PLUGINS = ROOT / "build" / "plugins"
 BARE_MODULES = ("cv2", "pillow_heif", "exifread")
 """Blocked when SKYLINE_BARE=1, to run the tests on what QGIS itself ships."""
 
-if not (ROOT / "build" / "plugins" / "skyline_viewshed").exists():
-    raise pytest.UsageError("The package's link is missing. Run: make link")
+# All this has to stand before NumPy and QGIS load. pytest-qgis would start QGIS before it reads any conftest.py, and
+# without an X server that ends the process; so pyproject.toml keeps it from loading by itself, and it loads here.
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(variable, "1")
+os.environ.setdefault("PYTHONPATH", str(PLUGINS))  # for the processes that tests start
+if not (PLUGINS / "skyline_viewshed").exists():
+    PLUGINS.mkdir(parents=True, exist_ok=True)
+    (PLUGINS / "skyline_viewshed").symlink_to(Path("..", ".."), target_is_directory=True)
 if os.environ.get("SKYLINE_BARE") == "1":
     for module in BARE_MODULES:
         sys.modules[module] = None
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 try:
     import qgis.core  # noqa: F401
@@ -27,6 +35,10 @@ except ImportError:
     HAVE_QGIS = False
 else:
     HAVE_QGIS = True
+
+PYTEST_QGIS = ("pytest_qgis.plugin", "pytest_qgis.pytest_qgis")
+"""The module of pytest-qgis, and its name before version 5."""
+pytest_plugins = [name for name in PYTEST_QGIS if HAVE_QGIS and find_spec("pytest_qgis") and find_spec(name)][:1]
 
 
 def pytest_ignore_collect(collection_path, config):
