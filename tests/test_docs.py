@@ -36,9 +36,13 @@ def test_the_reference_and_the_tables_of_fields_are_those_of_the_code():
 
 def test_every_set_of_fields_has_its_table():
     page = (DOCS / "fields.md").read_text(encoding="utf-8")
-    for path in sorted((ROOT / "algorithms").glob("*.py")):
-        for name in re.findall(r"^def ([a-z]\w*_specs)\(\):", path.read_text(encoding="utf-8"), re.MULTILINE):
-            assert f"<!-- begin: {path.stem}.{name} -->" in page, f"docs/fields.md has no block {path.stem}.{name}"
+    sets = [
+        f"{path.stem}.{name}"
+        for path in sorted((ROOT / "algorithms").rglob("*.py"))
+        for name in re.findall(r"^def ([a-z]\w*_specs)\(\):", path.read_text(encoding="utf-8"), re.MULTILINE)
+    ]
+    assert len(sets) >= 15, "the sets of fields are no longer found in the source"
+    assert [name for name in sets if f"<!-- begin: {name} -->" not in page] == []
 
 
 def test_every_message_stands_on_the_page_of_troubles():
@@ -50,14 +54,15 @@ def test_every_message_stands_on_the_page_of_troubles():
 
 
 def test_no_message_on_that_page_is_out_of_date():
-    texts, rows = all_texts(), []
+    texts, rows, stale = all_texts(), [], []
     for table in re.split(r"\n\n", (DOCS / "troubleshooting.md").read_text(encoding="utf-8")):
         if table.startswith(("| message", "| reason")):
             rows += [line.split("|")[1].strip() for line in table.splitlines()[2:]]
     assert len(rows) > 80
     for message in rows:
         longest = max(message.split("…"), key=len).strip()
-        assert re.sub(r"\s+", " ", longest) in texts, message
+        stale += [message] if re.sub(r"\s+", " ", longest) not in texts else []
+    assert stale == []
 
 
 def test_every_class_of_error_and_every_status_is_explained():
@@ -73,16 +78,19 @@ def test_every_class_of_error_and_every_status_is_explained():
         assert all(f"`{status}`" in text for status in STATUSES), page
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_links_lead_somewhere(page):
-    for target in LINK.findall(page.read_text(encoding="utf-8")):
-        if target.startswith(("http:", "https:", "mailto:")):
-            continue
-        path, _, anchor = target.partition("#")
-        file = (page.parent / path) if path else page
-        assert file.exists(), f"{page.name} links to {target}"
-        if anchor and file.suffix == ".md":
-            assert anchor in anchors(file), f"{page.name} links to {target}"
+def test_links_lead_somewhere():
+    broken, checked = [], 0
+    for page in PAGES:
+        for target in LINK.findall(page.read_text(encoding="utf-8")):
+            if target.startswith(("http:", "https:", "mailto:")):
+                continue
+            checked += 1
+            path, _, anchor = target.partition("#")
+            file = (page.parent / path) if path else page
+            if not file.exists() or (anchor and file.suffix == ".md" and anchor not in anchors(file)):
+                broken.append(f"{page.name} links to {target}")
+    assert checked > 50
+    assert broken == []
 
 
 def anchors(page):

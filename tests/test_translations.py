@@ -20,31 +20,33 @@ STRINGS = translations.source_strings()
 LANGUAGES = translations.LANGUAGES
 
 
-def shell_modules():
-    return [path for pattern in translations.SHELL for path in sorted(ROOT.glob(pattern))]
+def finished():
+    """(language, source, translation) of every string that is translated."""
+    return [
+        (language, *pair)
+        for language in LANGUAGES
+        for pair in translations.read_catalogue(translations.catalogue_path(language)).items()
+    ]
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_every_string_of_the_source_is_translated(language):
+def test_every_string_of_the_source_is_translated():
     """After a change of strings: make translations, then translate what i18n/*.ts marks as unfinished."""
-    assert translations.faults(language, STRINGS) == []
+    assert [(language, fault) for language in LANGUAGES for fault in translations.faults(language, STRINGS)] == []
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_translations_end_as_their_source_does(language):
-    finished = translations.read_catalogue(translations.catalogue_path(language))
-    for source, translation in finished.items():
-        assert translation == translation.strip()
-        if source[-1] in ".?:":
-            assert translation[-1] == source[-1], source
+def test_translations_end_as_their_source_does():
+    assert [
+        (language, source)
+        for language, source, translation in finished()
+        if translation != translation.strip() or (source[-1] in ".?:" and translation[-1] != source[-1])
+    ] == []
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_languages_are_not_copies_of_english(language):
-    finished = translations.read_catalogue(translations.catalogue_path(language))
-    sentences = [source for source in STRINGS if len(source.split()) >= 4]
-    assert len(sentences) > 200
-    assert [source for source in sentences if finished[source] == source] == []
+def test_languages_are_not_copies_of_english():
+    long = {source for source in STRINGS if len(source.split()) >= 4}
+    pairs = [entry for entry in finished() if entry[1] in long]
+    assert len(long) > 200 and len(pairs) == len(LANGUAGES) * len(long)
+    assert [(language, source) for language, source, translation in pairs if translation == source] == []
 
 
 def test_the_catalogues_say_their_language():
@@ -54,10 +56,9 @@ def test_the_catalogues_say_their_language():
         assert [context.findtext("name") for context in root.iter("context")] == [translations.CONTEXT]
 
 
-@pytest.mark.parametrize("path", shell_modules(), ids=lambda path: path.name)
-def test_strings_are_translated_when_used_not_when_loaded(path):
-    """A `tr` at the top level of a module or as a default would run before the translator is there."""
-    pending = list(ast.iter_child_nodes(ast.parse(path.read_text(encoding="utf-8"))))
+def calls_while_loading(tree, name):
+    """Lines at which a module calls a function while it is being loaded: outside functions, or in their defaults."""
+    pending, lines = list(ast.iter_child_nodes(tree)), []
     while pending:
         node = pending.pop()
         if isinstance(node, ast.Lambda):
@@ -66,10 +67,23 @@ def test_strings_are_translated_when_used_not_when_loaded(path):
             defaults = [default for default in [*node.args.defaults, *node.args.kw_defaults] if default is not None]
             pending += [*defaults, *node.decorator_list]
             continue
-        assert not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr"), (
-            f"{path.name}:{node.lineno}"
-        )
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == name:
+            lines.append(node.lineno)
         pending += ast.iter_child_nodes(node)
+    return sorted(lines)
+
+
+def test_strings_are_translated_when_used_not_when_loaded():
+    """A `tr` at the top level of a module or as a default would run before the translator is there."""
+    bad = "A = tr('a')\ndef f(x=tr('b')):\n    return tr('c')\nclass C:\n    d = [tr('d')]\n"
+    assert calls_while_loading(ast.parse(bad), "tr") == [1, 2, 5]
+    paths = [path for pattern in translations.SHELL for path in sorted(ROOT.glob(pattern))]
+    assert len(paths) > 50
+    assert [
+        f"{path.relative_to(ROOT)}:{line}"
+        for path in paths
+        for line in calls_while_loading(ast.parse(path.read_text(encoding="utf-8")), "tr")
+    ] == []
 
 
 def test_a_catalogue_survives_writing_and_reading(tmp_path):

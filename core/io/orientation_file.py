@@ -85,7 +85,8 @@ def packed(oriented, mark):
 def unpacked(path, mark):
     """Give the `OrientedPhoto` if the file is there, whole and of this fingerprint; else None."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
+        # Opened here, because np.load leaves a damaged file open.
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
             tree = json.loads(archive["tree"].tobytes())
             return _restored(tree["photo"], archive) if tree["mark"] == mark else None
     except UNREADABLE:

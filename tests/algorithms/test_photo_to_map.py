@@ -79,18 +79,6 @@ def pixel_table(rows):
                                        ("label", QVariant.String)], [(None, row) for row in rows], crs="")  # fmt: skip
 
 
-ALL = ("pixeltomap", "maptopixel", "drapephoto", "labelpeaks", "whichphotos", "panorama", "photocoverage")
-
-
-@pytest.mark.parametrize("name", ALL)
-def test_each_algorithm_says_what_it_is(algorithm, name):
-    it = algorithm(name)
-    assert it.displayName() and it.shortHelpString() and it.shortDescription() and it.tags()
-    assert it.group() and it.groupId() == "maps" and not it.icon().isNull()
-    for definition in it.parameterDefinitions():
-        assert definition.isDestination() or definition.help(), definition.name()
-
-
 def test_pixels_become_places_with_their_errors(run, scene, oriented, known):
     table = pixel_table([["north.jpg", 400, 500, "slope"], ["north.jpg", 400, 2, "sky"], ["WEST.JPG", 300, 450, "w"]])
     results, feedback = run("pixeltomap", base(oriented, scene, PIXELS=table, OUTPUT="memory:", ELLIPSES="memory:"))

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
 from skyline_viewshed.core.skyline.evidence import EvidenceOptions, find_crop, shipped_weights, skyline_evidence
-
-DATA = Path(os.environ.get("SKYLINE_DATA") or Path(__file__).parents[4] / "shared" / "data")
 
 
 def ridge_rows(width, height, mean=0.4, swing=0.12):
@@ -242,12 +238,11 @@ def test_options_out_of_range_are_refused(wrong):
 
 
 @pytest.mark.data
-@pytest.mark.skipif(not DATA.is_dir(), reason=f"the shared photographs are not at {DATA}")
-def test_the_scanned_photochrom_loses_its_border_and_keeps_its_ridge():
+def test_the_scanned_photochrom_loses_its_border_and_keeps_its_ridge(shared_data):
     """Aletsch: white border and caption cut, ridge within the upper third, and no people."""
     from PIL import Image
 
-    pixels = np.asarray(Image.open(DATA / "aletsch" / "photos" / "07861v.jpg").convert("RGB"))
+    pixels = np.asarray(Image.open(shared_data / "aletsch" / "photos" / "07861v.jpg").convert("RGB"))
     evidence = skyline_evidence(pixels)
     height = evidence.probability.shape[0]
     assert all(8 <= side <= 25 for side in evidence.crop)
@@ -257,16 +252,15 @@ def test_the_scanned_photochrom_loses_its_border_and_keeps_its_ridge():
 
 
 @pytest.mark.data
-@pytest.mark.skipif(not DATA.is_dir(), reason=f"the shared photographs are not at {DATA}")
 @pytest.mark.parametrize("name", ["AK10_20090803_195410", "AK03b_20080621_201611"])
-def test_the_hand_traced_skylines_of_columbia_are_met(name):
+def test_the_hand_traced_skylines_of_columbia_are_met(shared_data, name):
     """Layer `horizon` of the owners' traces, which the weights have never seen."""
     from PIL import Image
 
-    pixels = np.asarray(Image.open(DATA / "columbia" / "photos" / f"{name}.JPG").convert("RGB"))
+    pixels = np.asarray(Image.open(shared_data / "columbia" / "photos" / f"{name}.JPG").convert("RGB"))
     evidence = skyline_evidence(pixels)
     height, width = evidence.probability.shape
-    truth = traced_rows(DATA / "columbia" / "traces" / f"{name}.svg", width)
+    truth = traced_rows(shared_data / "columbia" / "traces" / f"{name}.svg", width)
     traced = np.isfinite(truth) & (truth > 4) & evidence.best.valid
     assert traced.sum() > 0.4 * width
     assert np.median(np.abs(evidence.best.row_px - truth)[traced]) < 0.01 * height

@@ -1,5 +1,7 @@
 """Viewsheds, polygons, probabilities and sky views across 180 degrees are those of the same ground elsewhere."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from osgeo import gdal, ogr, osr
@@ -42,32 +44,45 @@ def write(path, centre_deg, crs="EPSG:4326"):
     return open_dem(str(path))
 
 
-@pytest.fixture(scope="module", params=["EPSG:4326", "EPSG:3857"])
-def crs(request):
-    return request.param
-
-
 @pytest.fixture(scope="module")
-def home(tmp_path_factory, crs):
-    return write(tmp_path_factory.mktemp("home") / "dem.tif", HOME_DEG, crs)
+def ground(tmp_path_factory):
+    """Give the raster around a longitude in a CRS; each is written once."""
 
+    @cache
+    def raster(crs, centre_deg):
+        return write(tmp_path_factory.mktemp("ground") / "dem.tif", centre_deg, crs)
 
-@pytest.fixture(scope="module", params=[180.0, -180.0])
-def there(tmp_path_factory, request, crs):
-    return write(tmp_path_factory.mktemp("there") / "dem.tif", request.param, crs)
+    return raster
 
 
 def at_home(shift_deg=0.0):
     return Observer(HOME_DEG + shift_deg, LATITUDE, eye_elevation_m=EYE_M)
 
 
-PLACES = [(0.0, 180.0), (0.0, -180.0), (0.004, -179.996), (-0.004, 179.996)]
+GLOBE, PLANE = "EPSG:4326", "EPSG:3857"
+EAST, WEST, BEFORE, BEYOND = (0.0, 180.0), (0.0, -180.0), (-0.004, 179.996), (0.004, -179.996)
 """Shift from the middle, and the longitude that a receiver reports for it."""
+CASES = [
+    ("circle", EAST, GLOBE, 180.0),
+    ("circle", WEST, PLANE, -180.0),
+    ("circle", BEYOND, GLOBE, -180.0),
+    ("circle", BEFORE, PLANE, 180.0),
+    ("wedge", EAST, PLANE, -180.0),
+    ("wedge", WEST, GLOBE, 180.0),
+    ("wedge", BEYOND, PLANE, 180.0),
+    ("wedge", BEFORE, GLOBE, -180.0),
+    ("frame", EAST, PLANE, 180.0),
+    ("frame", WEST, GLOBE, -180.0),
+    ("frame", BEYOND, GLOBE, 180.0),
+    ("frame", BEFORE, PLANE, -180.0),
+]
+"""Each sector with each place, and each sector with each raster (CRS, longitude of its middle), once."""
 
 
-@pytest.mark.parametrize("sector", SECTORS.values(), ids=SECTORS)
-@pytest.mark.parametrize(("shift", "longitude"), PLACES)
-def test_the_ground_in_view_is_the_same_cells(home, there, sector, shift, longitude):
+@pytest.mark.parametrize(("name", "place", "crs", "centre_deg"), CASES)
+def test_the_ground_in_view_is_the_same_cells(ground, name, place, crs, centre_deg):
+    home, there, sector = ground(crs, HOME_DEG), ground(crs, centre_deg), SECTORS[name]
+    shift, longitude = place
     expected = viewshed(home, at_home(shift), sector, OPTIONS)
     found = viewshed(there, Observer(longitude, LATITUDE, eye_elevation_m=EYE_M), sector, OPTIONS)
     assert found.window == expected.window and expected.visible.sum() > 300
@@ -82,8 +97,11 @@ def test_the_ground_in_view_is_the_same_cells(home, there, sector, shift, longit
     assert x0 <= left < right <= x0 + dx * SIZE, "in one piece, where the raster is"
 
 
-def test_layers_horizon_probabilities_and_sky_views_are_the_same(home, there):
-    shift, longitude = PLACES[2]
+@pytest.mark.parametrize("centre_deg", [180.0, -180.0])
+@pytest.mark.parametrize("crs", [GLOBE, PLANE])
+def test_layers_horizon_probabilities_and_sky_views_are_the_same(ground, crs, centre_deg):
+    home, there = ground(crs, HOME_DEG), ground(crs, centre_deg)
+    shift, longitude = BEYOND
     eye = Observer(longitude, LATITUDE, eye_elevation_m=EYE_M)
     frame = SECTORS["frame"]
     for (_, ours), (_, theirs) in zip(

@@ -138,8 +138,23 @@ def test_turned_terrain_turns_the_viewshed(turns):
     assert (np.rot90(straight, turns) != turned).mean() < 1e-3  # cells on the diagonals change quarters
 
 
-@pytest.mark.parametrize("heading", [0, 45, 90, 135, 180, 225, 270, 315, 359.9, 17.3])
-@pytest.mark.parametrize("width", [1.0, 60.0, 180.0, 300.0])
+WEDGES = {
+    "thin along a column": (0, 1.0),
+    "thin along a row": (90, 1.0),
+    "thin between": (17.3, 1.0),
+    "across a diagonal": (45, 60.0),
+    "across the diagonal before north": (315, 60.0),
+    "a little more west than east of north": (359.9, 60.0),
+    "half, cut along a row": (180, 180.0),
+    "half, cut along a column": (270, 180.0),
+    "half, cut along a diagonal": (135, 180.0),
+    "most, open to the south": (0, 300.0),
+    "most, open across a diagonal": (225, 300.0),
+    "most, open between": (17.3, 300.0),
+}
+
+
+@pytest.mark.parametrize(("heading", "width"), WEDGES.values(), ids=WEDGES)
 def test_a_wedge_is_the_circle_cut_by_azimuth(heading, width):
     ground = fractal(101, seed=2)
     circle = look(ground, 30.0, 50.3, 49.6, eye_height_m=30.0)
@@ -264,13 +279,11 @@ def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
 
 
 def test_dropping_hidden_blocks_changes_nothing(monkeypatch):
-    from skyline_viewshed.core.viewshed import slabs as viewshed_blocks
+    from skyline_viewshed.core.viewshed import slabs
 
     terrain, observer = stand(fractal(400, seed=14), 30.0, 210.3, 180.8, 5.0)
     quick = viewshed(terrain, observer).values
-    monkeypatch.setattr(
-        viewshed_blocks, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32)
-    )
+    monkeypatch.setattr(slabs, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
     assert np.array_equal(viewshed(terrain, observer).values, quick)
 
 
