@@ -18,12 +18,13 @@ from skyline_viewshed.core.base.model import PhotoMetadata
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
-from skyline_viewshed.core.io.write_raster import write_dem
 from skyline_viewshed.core.simulate.render import RenderedView, render_view
-from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene, hard_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
+from skyline_viewshed.demo.dem_file import write_dem
 from skyline_viewshed.demo.detail import DetailedTerrain
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
+from skyline_viewshed.demo.weather import hard_scene
 
 ROOT = Path(__file__).resolve().parent.parent
 SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2}
@@ -118,9 +119,9 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     options = ViewpointOptions(roll_sigma_deg=1.2 if clear else 2.8, largest_roll_deg=3.0 if clear else 8.0)
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, terrain)
     scene_seed = int(generator.integers(2**31))
-    scene = clean_scene(scene_seed) if level != "full" else hard_scene(scene_seed)
+    scene = SceneOptions(scene_seed) if level != "full" else hard_scene(scene_seed)
     if clear:
-        scene = clean_scene(
+        scene = SceneOptions(
             scene_seed,
             sun_azimuth_deg=360 * generator.random(),
             sun_elevation_deg=15 + 45 * generator.random(),

@@ -131,9 +131,9 @@ def scene(tmp_path_factory):
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.io.raster import open_dem
     from skyline_viewshed.core.io.write_photo import write_photo
-    from skyline_viewshed.core.io.write_raster import write_dem
     from skyline_viewshed.core.simulate.render import render_view
-    from skyline_viewshed.core.simulate.scene import clean_scene
+    from skyline_viewshed.core.simulate.scene import SceneOptions
+    from skyline_viewshed.demo.dem_file import write_dem
     from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
     root = tmp_path_factory.mktemp("scene")
@@ -149,7 +149,7 @@ def scene(tmp_path_factory):
     places = {"north": ((198, 122), Pose(20.0, 2.0, 0.5)), "west": ((86, 240), Pose(200.0, 2.0, 0.5))}
     for name, (pixel, pose) in places.items():
         longitude, latitude = map(float, dem.position_of(*pixel))
-        view = render_view(dem, Observer(longitude, latitude, 2.0), camera, pose, clean_scene(len(truth)))
+        view = render_view(dem, Observer(longitude, latitude, 2.0), camera, pose, SceneOptions(len(truth)))
         path = str(folder / f"{name}.jpg")
         metadata = PhotoMetadata(
             path,

@@ -10,9 +10,10 @@ from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
 from skyline_viewshed.core.base.model import Photo, PhotoMetadata
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.simulate.render import RenderedView, render_view
-from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene, hard_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
+from skyline_viewshed.demo.weather import hard_scene
 
 F35_MM = 35.0
 
@@ -46,7 +47,7 @@ def mountain_scene(seed=1, hard=False, width_px=640, height_px=480, focal_length
     camera = Camera(width_px, height_px, focal_from_35mm_px(width_px, height_px, focal_length_35mm))
     options = ViewpointOptions(range_m=40_000.0, roll_sigma_deg=1.5, largest_roll_deg=4.0)
     observer, pose = find_view(terrain, camera, generator, terrain.position_of, options)
-    return taken(terrain, observer, camera, pose, hard_scene(seed) if hard else clean_scene(seed), focal_length_35mm)
+    return taken(terrain, observer, camera, pose, hard_scene(seed) if hard else SceneOptions(seed), focal_length_35mm)
 
 
 def taken(terrain, observer, camera, pose, scene: SceneOptions, focal_length_35mm=None) -> Scene:

@@ -23,9 +23,9 @@ from skyline_viewshed.core.base.errors import MissingPackageError  # noqa: E402
 from skyline_viewshed.core.base.model import PhotoMetadata  # noqa: E402
 from skyline_viewshed.core.io.raster import open_dem  # noqa: E402
 from skyline_viewshed.core.io.write_photo import write_photo  # noqa: E402
-from skyline_viewshed.core.io.write_raster import write_dem  # noqa: E402
 from skyline_viewshed.core.simulate.render import render_view  # noqa: E402
-from skyline_viewshed.core.simulate.scene import clean_scene, sun_direction_deg  # noqa: E402
+from skyline_viewshed.core.simulate.scene import SceneOptions, sun_direction_deg  # noqa: E402
+from skyline_viewshed.demo.dem_file import write_dem  # noqa: E402
 from skyline_viewshed.demo.detail import DetailedTerrain  # noqa: E402
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains  # noqa: E402
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view  # noqa: E402
@@ -79,7 +79,7 @@ def take(folder, dem, generator, shot, seed):
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, mountain)
     when = NOON_UTC + timedelta(hours=hours)
     azimuth, elevation = sun_direction_deg(observer.longitude_deg, observer.latitude_deg, when)
-    scene = clean_scene(
+    scene = SceneOptions(
         seed + len(name), sun_azimuth_deg=azimuth, sun_elevation_deg=elevation, range_m=45_000.0, **weather
     )
     view = render_view(mountain, observer, camera, pose, scene)

@@ -48,8 +48,3 @@ def true_to_grid(azimuth_deg, convergence_deg):
     the standard convergence.
     """
     return wrap_360(np.subtract(azimuth_deg, convergence_deg))
-
-
-def grid_to_true(azimuth_deg, convergence_deg):
-    """Turn grid into true azimuths [degrees]; the inverse of `true_to_grid`."""
-    return wrap_360(np.add(azimuth_deg, convergence_deg))

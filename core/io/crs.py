@@ -102,20 +102,6 @@ def to_wgs84(crs, x, y):
     return longitude_deg[()], latitude_deg[()]
 
 
-def grid_convergence_deg(crs, longitude_deg, latitude_deg):
-    """Bearing of grid north (+y of the CRS) seen from true north at a place, clockwise [degrees], in [-180, 180).
-
-    The Gauss-Bomford sense of PROJ and Esri: true azimuth = grid azimuth + convergence. Equation 9 of the paper
-    adds the opposite number. -104.5 for EPSG:3413 and -2.19 for UTM 6N at 149.5 W, 61.1 N.
-    """
-    step_m = 10.0
-    ahead = Transformer(local_plane(longitude_deg, latitude_deg), crs)
-    x, y = ahead([step_m, -step_m, 0, 0], [0, 0, step_m, -step_m])
-    jacobian = np.array([[x[0] - x[1], x[2] - x[3]], [y[0] - y[1], y[2] - y[3]]])
-    east, north = np.linalg.solve(jacobian, [0.0, 1.0])
-    return float(np.degrees(np.arctan2(east, north)))
-
-
 def x_period(crs):
     """Distance along x after which the CRS repeats the world, in its own units; None where it does not.
 

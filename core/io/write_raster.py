@@ -13,7 +13,7 @@ from osgeo import gdal
 from ..base.errors import OutputError
 from ..base.messages import Message
 from ..base.terrain import Window
-from .crs import local_plane, spatial_reference
+from .crs import spatial_reference
 from .gdal_quiet import quiet_gdal, small_cache
 
 GDAL_TYPES = {
@@ -25,7 +25,6 @@ GDAL_TYPES = {
 }
 BLOCK_PX = 256
 SYSTEM_CAUSES = tuple(map(os.strerror, (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EIO)))
-DEM_NODATA = -9999.0
 
 
 @contextmanager
@@ -185,37 +184,3 @@ def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(
     with new_raster(path, grid, window, dtype=values.dtype.name, bands=len(bands), **options) as file:
         for number, band in enumerate(bands, start=1):
             file.write(band, band=number)
-
-
-def write_dem(path, elevation_m, cell_m, longitude_deg=0.0, latitude_deg=0.0):
-    """Write synthetic terrain (`core.base.terrain.ArrayTerrain`) as a GeoTIFF that GDAL and QGIS place on the Earth.
-
-    Parameters
-    ----------
-    path : str
-    elevation_m : (R, C) array
-        Row 0 is the northernmost; NaN is written as -9999 [m].
-    cell_m : float
-        Side of a cell [m].
-    longitude_deg, latitude_deg : float
-        WGS 84 position of the array's centre [degrees].
-
-    Notes
-    -----
-    The CRS is azimuthal equidistant around the centre: distances and azimuths from the centre are the array's. Seen
-    from an observer d off the centre, scale changes by less than (d / R)^2 / 2 and the columns turn from true north by
-    (d_east / R) tan(latitude), as meridians do: 0.05 degrees at 5 km and 46 degrees, nothing on the equator.
-    `ArrayTerrain.pixel_of`, a plate carree on a sphere, agrees at the centre and departs by up to 0.7 % of the
-    distance from it; so give photographs the positions of `Dem.position_of`.
-    """
-    elevation_m = np.asarray(elevation_m, np.float32)
-    grid = _CentredGrid(elevation_m.shape, cell_m, longitude_deg, latitude_deg)
-    values = np.where(np.isfinite(elevation_m), elevation_m, np.float32(DEM_NODATA))
-    write_raster(path, values, grid, nodata=DEM_NODATA, descriptions=["elevation [m]"])
-
-
-class _CentredGrid:
-    def __init__(self, shape, cell_m, longitude_deg, latitude_deg):
-        rows, cols = self.shape = shape
-        self.crs_wkt = spatial_reference(local_plane(float(longitude_deg), float(latitude_deg))).ExportToWkt()
-        self.geotransform = (-cols / 2 * cell_m, cell_m, 0.0, rows / 2 * cell_m, 0.0, -cell_m)

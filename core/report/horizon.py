@@ -8,7 +8,7 @@ from ..figures.profile import horizon_profile_svg
 from ..figures.text import azimuth, degrees, escape, with_unit
 from .facts import percent
 from .overview import badge
-from .page import DEFAULT_SOFTWARE, MemoryDocument, PageWriter, fact_table
+from .page import DEFAULT_SOFTWARE, PageWriter, fact_table
 
 MOST_WITH_FIGURES = 2_000
 """Places drawn; a page of more would be hard to open."""
@@ -65,28 +65,6 @@ class HorizonReportWriter(PageWriter):
 
     def _frame(self):
         return ("", ""), _table(self._rows, self._say), ""
-
-
-def horizon_report_html(places, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
-    """Write the report of a few places as one text.
-
-    Parameters
-    ----------
-    places : iterable of (name, HorizonProfile, longitude_deg, latitude_deg, sky_view_factor)
-        The last three may be None.
-    title, parameters, software, created, say
-        As for `PageWriter`.
-
-    Returns
-    -------
-    str
-        A complete HTML page.
-    """
-    document = MemoryDocument()
-    with HorizonReportWriter(document, title, parameters, software=software, created=created, say=say) as writer:
-        for place in places:
-            writer.add(*place)
-    return document.text
 
 
 def _facts(horizon, sky_view_factor, say):

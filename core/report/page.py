@@ -91,7 +91,7 @@ DEFAULT_SOFTWARE = "Skyline Viewshed"
 
 
 class Document(Protocol):
-    """Where a page goes: `core.io.whole_file.ReportFile` spools it to disk, `MemoryDocument` keeps it."""
+    """Where a page goes: `core.io.whole_file.ReportFile` spools it to disk."""
 
     def write(self, text: str) -> None:
         """Append to the body."""
@@ -101,25 +101,6 @@ class Document(Protocol):
 
     def discard(self) -> None:
         """Leave nothing behind."""
-
-
-class MemoryDocument:
-    """A `Document` that ends as `text`."""
-
-    def __init__(self):
-        self._parts, self.text = [], ""
-
-    def write(self, text):
-        """See `Document`."""
-        self._parts.append(text)
-
-    def finish(self, head, tail):
-        """See `Document`."""
-        self.text = "".join([head, *self._parts, tail])
-
-    def discard(self):
-        """See `Document`."""
-        self._parts.clear()
 
 
 class PageWriter:

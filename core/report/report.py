@@ -7,7 +7,7 @@ from ..figures.text import escape
 from .card import photo_card
 from .facts import STATUSES, status_word, summarise
 from .overview import bar, overview_table, switches
-from .page import DEFAULT_SOFTWARE, MemoryDocument, PageWriter
+from .page import DEFAULT_SOFTWARE, PageWriter
 
 MOST_ACCEPTED_WITH_FIGURES = 1_000
 """Accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers only."""
@@ -95,26 +95,3 @@ def _station(photo, summary, number):
 def picture_width_px(photos):
     """Width to which pictures are reduced in a report of so many photographs [pixels]."""
     return 1200 if photos <= 150 else 800 if photos <= 600 else 480
-
-
-def report_html(photos, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
-    """Write the report of a handful of photographs as one text.
-
-    Parameters
-    ----------
-    photos : sequence of OrientedPhoto
-    title, parameters, software, created, say
-        As for `PageWriter`.
-
-    Returns
-    -------
-    str
-        A complete HTML page.
-    """
-    photos, document = list(photos), MemoryDocument()
-    with ReportWriter(
-        document, title, parameters, software=software, created=created, expected_photos=len(photos), say=say
-    ) as writer:
-        for photo in photos:
-            writer.add(photo)
-    return document.text

@@ -70,10 +70,6 @@ class RenderedView:
     pose: Pose
     scene: SceneOptions
 
-    def raster_pixels(self):
-        """(col, row) of every pixel's ground in the terrain's raster, two (H, W) arrays; NaN for sky [pixels]."""
-        return self.frame.to_pixel(self.east_m.astype(float), self.north_m.astype(float))
-
 
 def render_view(
     terrain: Terrain,

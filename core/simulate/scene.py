@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime, timezone
 
 import numpy as np
@@ -82,38 +82,6 @@ class SceneOptions:
             raise ValueError(f"ranges must be positive, noise and blur not negative, in {self}")
         if not (0 <= self.cloud_share <= 1 and 0 <= self.foreground_share <= 1 and 0 <= self.vignetting < 1):
             raise ValueError(f"shares must lie between 0 and 1, in {self}")
-
-
-def clean_scene(seed=0, **changes):
-    """Give a clear day with an ordinary camera: nothing hides the ridge."""
-    return replace(SceneOptions(seed=seed), **changes)
-
-
-def hard_scene(seed, **changes):
-    """Draw weather, light, foreground and camera faults at random, as a season of photographs has them."""
-    generator = np.random.Generator(np.random.PCG64([seed, 77]))
-    pick = generator.random
-    clouds = str(np.array(CLOUDS)[np.searchsorted(np.cumsum([0.42, 0.26, 0.16, 0.04]), pick())])
-    foreground = str(np.array(FOREGROUNDS)[np.searchsorted(np.cumsum([0.6, 0.3]), pick())])
-    scene = SceneOptions(
-        seed=seed,
-        sun_azimuth_deg=360 * pick(),
-        sun_elevation_deg=4 + 56 * pick() ** 1.3,
-        visibility_m=float(np.exp(np.log(2.5e4) + np.log(10) * pick())),
-        clouds=clouds,
-        snow_share=-0.1 + 1.2 * pick(),
-        tree_share=-0.1 + 0.8 * pick(),
-        cloud_share=0.1 + 0.7 * pick(),
-        foreground=foreground,
-        foreground_share=0.1 + 0.5 * pick(),
-        exposure_ev=-0.8 + 1.4 * pick(),
-        noise=0.8 + 6 * pick() ** 2,
-        sharpening=1.2 * pick(),
-        blur_px=0.4 + 0.9 * pick() ** 2,
-        vignetting=0.4 * pick(),
-        texture=0.6 + 0.8 * pick(),
-    )
-    return replace(scene, **changes)
 
 
 def sun_direction_deg(longitude_deg, latitude_deg, when):

@@ -22,7 +22,7 @@ from skyline_viewshed.core.io.crs import WGS84, Transformer, local_plane, spatia
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
 from skyline_viewshed.core.simulate.render import render_view
-from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
 LON, LAT, CELL_M, SIZE = -149.5, 61.1, 60.0, 400
@@ -63,7 +63,7 @@ def outcome(provider, tmp_path_factory):
         write_in(crs, mountains, path)
     camera = Camera(800, 600, focal_from_35mm_px(800, 600, 28.0))
     view = render_view(
-        open_dem(str(dems["EPSG:32606"])), Observer(LON, LAT, EYE_HEIGHT_M), camera, POSE, clean_scene(1)
+        open_dem(str(dems["EPSG:32606"])), Observer(LON, LAT, EYE_HEIGHT_M), camera, POSE, SceneOptions(1)
     )
     photo = folder / "photo.jpg"
     metadata = PhotoMetadata(str(photo), 800, 600, latitude_deg=LAT, longitude_deg=LON, focal_length_35mm=28.0)

@@ -105,7 +105,7 @@ app.initQgis()
 from skyline_viewshed.algorithms.import_photos import ImportPhotos
 from skyline_viewshed.algorithms.shared.outputs import write_features, write_whole
 from skyline_viewshed.core.io.whole_file import ReportFile
-from skyline_viewshed.core.io.write_raster import write_dem
+from skyline_viewshed.demo.dem_file import write_dem
 import numpy as np
 
 folder, rows, times = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])

@@ -244,12 +244,12 @@ class TestTerrainShare:
         from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
         from skyline_viewshed.core.base.terrain import Observer
         from skyline_viewshed.core.simulate.render import render_view
-        from skyline_viewshed.core.simulate.scene import clean_scene
+        from skyline_viewshed.core.simulate.scene import SceneOptions
 
         focal = focal_of_fov_px(400, scene.hfov_deg)
         camera = Camera(400, round(2 * focal * np.tan(np.radians(49.7 / 2))), focal)
         dem = open_dem(str(scene.dem))
-        view = render_view(dem, Observer(*scene.positions["west"], 1.7), camera, scene.truth["west"], clean_scene(1))
+        view = render_view(dem, Observer(*scene.positions["west"], 1.7), camera, scene.truth["west"], SceneOptions(1))
         rows = np.clip(np.nan_to_num(view.skyline_row_px, nan=camera.height_px), 0, camera.height_px)
         results, _ = call(points(("west", "a.jpg", {})), MAX_DISTANCE=40_000)
         share = 1 - rows.mean() / camera.height_px

@@ -7,7 +7,7 @@ from skyline_viewshed.core.base.camera import Camera
 from skyline_viewshed.core.base.errors import TerrainError
 from skyline_viewshed.core.base.terrain import ArrayTerrain
 from skyline_viewshed.core.simulate.render import render_view
-from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 
 CAMERA = Camera(160, 120, 150.0)
@@ -18,7 +18,7 @@ def test_the_view_found_has_a_far_ridge_in_the_frame(seed):
     terrain = small_mountains()
     generator = np.random.Generator(np.random.PCG64(seed))
     observer, pose = find_view(terrain, CAMERA, generator, terrain.position_of)
-    view = render_view(terrain, observer, CAMERA, pose, clean_scene(range_m=40_000.0))
+    view = render_view(terrain, observer, CAMERA, pose, SceneOptions(range_m=40_000.0))
     inside = np.isfinite(view.skyline_row_px)
     assert inside.mean() > 0.8
     rows = np.ceil(view.skyline_row_px[inside]).astype(int).clip(0, 119)

@@ -324,7 +324,7 @@ def dem_seeds():
     """Small elevation models in the formats that people have."""
     import numpy as np
     from osgeo import gdal
-    from skyline_viewshed.core.io.write_raster import write_dem
+    from skyline_viewshed.demo.dem_file import write_dem
 
     folder = Path(tempfile.mkdtemp(prefix="skyline-seeds-"))
     heights = np.add.outer(np.arange(48.0), np.arange(40.0)) * 10 + 500

@@ -23,7 +23,7 @@ from skyline_viewshed.core.figures.raster import draw_words
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
 from skyline_viewshed.core.simulate.render import render_view
-from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.demo.detail import DetailedTerrain
 
 WIDTH, HEIGHT = 720, 480
@@ -55,7 +55,7 @@ def panel(dem, truth, path, title, f35, tilt_deg, weather):
     camera = Camera(WIDTH, HEIGHT, focal_from_35mm_px(WIDTH, HEIGHT, f35))
     observer = Observer(float(truth["longitude_deg"]), float(truth["latitude_deg"]), 1.7)
     pose = Pose(float(truth["heading_deg"]), float(truth["pitch_deg"]) + tilt_deg, float(truth["roll_deg"]))
-    scene = replace(clean_scene(SEED, range_m=45_000.0), **weather)
+    scene = replace(SceneOptions(SEED, range_m=45_000.0), **weather)
     view = render_view(DetailedTerrain(dem, 3, SEED, strength=0.2), observer, camera, pose, scene)
     place = {"longitude_deg": observer.longitude_deg, "latitude_deg": observer.latitude_deg}
     write_photo(str(path), view.pixels, PhotoMetadata(str(path), WIDTH, HEIGHT, focal_length_35mm=float(f35), **place))

@@ -4,33 +4,11 @@ from skyline_viewshed.core.base.errors import TerrainError
 from skyline_viewshed.core.io.crs import (
     Transformer,
     from_wgs84,
-    grid_convergence_deg,
     local_plane,
     spatial_reference,
     to_wgs84,
     x_period,
 )
-
-
-def test_convergence_has_the_standard_sense_in_both_of_the_papers_grids():
-    # The paper adds +104.5 in EPSG:3413 near Anchorage; the standard convergence is its negative.
-    assert grid_convergence_deg("EPSG:3413", -149.5, 61.1) == pytest.approx(-104.5, abs=1e-4)
-    assert grid_convergence_deg("EPSG:32606", -149.5, 61.1) == pytest.approx(-2.19, abs=0.005)
-
-
-@pytest.mark.parametrize("latitude_deg, longitude_deg", [(46.0, 10.5), (-33.0, 7.5), (61.1, 9.0)])
-def test_convergence_of_utm_agrees_with_its_series(latitude_deg, longitude_deg):
-    # Snyder 1987, USGS PP 1395, equation 8-16, spherical form plus the ellipsoid's third-order term.
-    turn, phi = np.radians(longitude_deg - 9.0), np.radians(latitude_deg)
-    eta2 = 0.00673949674 * np.cos(phi) ** 2
-    expected = np.degrees(turn * np.sin(phi) * (1 + turn**2 * np.cos(phi) ** 2 * (1 + 3 * eta2 + 2 * eta2**2) / 3))
-    zone = "EPSG:32632" if latitude_deg > 0 else "EPSG:32732"
-    assert grid_convergence_deg(zone, longitude_deg, latitude_deg) == pytest.approx(expected, abs=1e-5)
-
-
-def test_convergence_of_polar_stereographic_is_the_longitude_itself():
-    assert grid_convergence_deg("EPSG:3031", 78.25, -68.5) == pytest.approx(-78.25, abs=1e-4)
-    assert grid_convergence_deg("EPSG:3857", 120.0, 50.0) == pytest.approx(0.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("crs", ["EPSG:3413", "EPSG:32606", "EPSG:3857", "EPSG:4326"])

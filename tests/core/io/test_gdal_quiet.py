@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.io.gdal_quiet import open_quietly, quiet_gdal
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.io.write_raster import write_dem
+from skyline_viewshed.demo.dem_file import write_dem
 
 gdal = pytest.importorskip("osgeo.gdal")
 

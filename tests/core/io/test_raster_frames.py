@@ -114,9 +114,26 @@ def test_frame_goes_both_ways(tmp_path, crs, longitude_deg, latitude_deg):
 
 
 def test_convergence_of_frames_has_the_standard_sense(tmp_path):
+    # The paper adds +104.5 in EPSG:3413 near Anchorage; the standard convergence is its negative.
     for crs, expected_deg in (("EPSG:3413", -104.5), ("EPSG:32606", -2.19), ("EPSG:3857", 0.0), ("EPSG:4326", 0.0)):
         frame = dem_around(tmp_path, crs, -149.5, 61.1).frame(-149.5, 61.1, 1000.0)
         assert frame.convergence_deg == pytest.approx(expected_deg, abs=0.005)
+
+
+@pytest.mark.parametrize("latitude_deg, longitude_deg", [(46.0, 10.5), (-33.0, 7.5), (61.1, 9.0)])
+def test_convergence_of_utm_agrees_with_its_series(tmp_path, latitude_deg, longitude_deg):
+    # Snyder 1987, USGS PP 1395, equation 8-16, spherical form plus the ellipsoid's third-order term.
+    turn, phi = np.radians(longitude_deg - 9.0), np.radians(latitude_deg)
+    eta2 = 0.00673949674 * np.cos(phi) ** 2
+    expected = np.degrees(turn * np.sin(phi) * (1 + turn**2 * np.cos(phi) ** 2 * (1 + 3 * eta2 + 2 * eta2**2) / 3))
+    zone = "EPSG:32632" if latitude_deg > 0 else "EPSG:32732"
+    frame = dem_around(tmp_path, zone, longitude_deg, latitude_deg).frame(longitude_deg, latitude_deg, 1000.0)
+    assert frame.convergence_deg == pytest.approx(expected, abs=1e-4)
+
+
+def test_convergence_of_polar_stereographic_is_the_longitude_itself(tmp_path):
+    frame = dem_around(tmp_path, "EPSG:3031", 78.25, -68.5).frame(78.25, -68.5, 1000.0)
+    assert frame.convergence_deg == pytest.approx(-78.25, abs=1e-4)
 
 
 def test_cell_sizes_are_ground_metres(tmp_path):

@@ -15,7 +15,7 @@ from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeMatchOptions
 from skyline_viewshed.core.match.robust import RobustOptions
 from skyline_viewshed.core.pipeline import OrientOptions, camera_prior, orient_photo
-from skyline_viewshed.core.simulate.scene import clean_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
 NO_CRESTS, NO_GROUND = RidgeMatchOptions(weight=0.0), GroundMatchOptions(weight=0.0)
@@ -93,7 +93,7 @@ def twin_mountains():
 def test_of_twin_horizons_the_ground_tells_the_right_one():
     terrain, observer = twin_mountains(), Observer(0.0, 0.0, 350.0)
     camera = Camera(640, 480, focal_from_35mm_px(640, 480, 35.0))
-    scene = taken(terrain, observer, camera, Pose(57.0, 1.0, 0.5), clean_scene(2), 35.0)
+    scene = taken(terrain, observer, camera, Pose(57.0, 1.0, 0.5), SceneOptions(2), 35.0)
     prior = camera_prior(scene.photo.metadata)
     blind = OrientOptions(robust=RobustOptions(ground=NO_GROUND, ridges=NO_CRESTS))
     twins = orient_photo(scene.photo, terrain, observer, prior, blind).orientation

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.report.horizon import HorizonReportWriter, horizon_report_html
-from skyline_viewshed.core.report.page import MemoryDocument
+from documents import MemoryDocument, horizon_report_html
+from skyline_viewshed.core.report.horizon import HorizonReportWriter
 
 
 def test_every_place_has_a_drawing_and_its_numbers(match_scenes):

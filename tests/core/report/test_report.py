@@ -12,11 +12,11 @@ from datetime import datetime
 from html.parser import HTMLParser
 
 import pytest
+from documents import MemoryDocument, report_html
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.model import Orientation, OrientedPhoto
-from skyline_viewshed.core.report.page import MemoryDocument
-from skyline_viewshed.core.report.report import ReportWriter, picture_width_px, report_html
+from skyline_viewshed.core.report.report import ReportWriter, picture_width_px
 
 pytest.importorskip("PIL")
 

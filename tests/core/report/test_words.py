@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
+from documents import MemoryDocument
 from skyline_viewshed.core.base.model import Orientation, OrientedPhoto
 from skyline_viewshed.core.figures import ground as figures_panels
 from skyline_viewshed.core.figures import overlay as figures_overlay
@@ -18,7 +19,6 @@ from skyline_viewshed.core.figures.score import score_curve_svg
 from skyline_viewshed.core.figures.text import compass_point
 from skyline_viewshed.core.report import report
 from skyline_viewshed.core.report.horizon import HorizonReportWriter
-from skyline_viewshed.core.report.page import MemoryDocument
 from skyline_viewshed.core.report.report import ReportWriter
 
 pytest.importorskip("PIL")

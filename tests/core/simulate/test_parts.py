@@ -10,7 +10,7 @@ from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.simulate.foreground import draw_foreground
 from skyline_viewshed.core.simulate.noise import fractal_field, noise_tile, smoothstep
 from skyline_viewshed.core.simulate.render import render_view
-from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.simulate.sensor import develop
 from skyline_viewshed.core.simulate.sky import sky_radiance, sun_light, transmission
 
@@ -87,7 +87,7 @@ def test_a_wall_shades_the_ground_behind_it():
             Observer(longitude, latitude, 60.0),
             Camera(120, 90, 90.0),
             Pose(0.0, -10.0),
-            clean_scene(1, sun_azimuth_deg=azimuth, exposure_ev=0.0, **options),
+            SceneOptions(1, sun_azimuth_deg=azimuth, exposure_ev=0.0, **options),
         )
         for azimuth in (270.0, 90.0)
     ]

@@ -11,7 +11,8 @@ from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, bilinear
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.simulate.render import render_view
-from skyline_viewshed.core.simulate.scene import SceneOptions, clean_scene, hard_scene
+from skyline_viewshed.core.simulate.scene import SceneOptions
+from skyline_viewshed.demo.weather import hard_scene
 
 CAMERA = Camera(240, 180, 260.0)
 
@@ -25,7 +26,7 @@ def cone(height_m=1500.0, slope=0.6, cell_m=20.0, size=801):
 def test_the_sea_horizon_dips_by_its_closed_form():
     sea = ArrayTerrain(np.zeros((600, 600), np.float32), 500.0)
     pose = Pose(77.0, 1.5, 4.0)
-    view = render_view(sea, Observer(0, 0, eye_height_m=100.0), CAMERA, pose, clean_scene(range_m=120_000.0))
+    view = render_view(sea, Observer(0, 0, eye_height_m=100.0), CAMERA, pose, SceneOptions(range_m=120_000.0))
     per_m2 = apparent_drop_m(1.0)
     dip_deg = np.degrees(np.arctan(-2 * np.sqrt(100.0 * per_m2)))
     azimuth = 77.0 + np.linspace(-35, 35, 2001)
@@ -41,7 +42,7 @@ def test_a_cone_stands_where_its_closed_form_puts_it(pose, k1):
     terrain = cone()
     distance_m, eye_m = 4000.0, 2.0
     longitude, latitude = terrain.position_of(400, 400 + distance_m / 20.0)
-    view = render_view(terrain, Observer(longitude, latitude, eye_m), camera, pose, clean_scene(range_m=9_000.0))
+    view = render_view(terrain, Observer(longitude, latitude, eye_m), camera, pose, SceneOptions(range_m=9_000.0))
     along = np.linspace(10.0, 8_000.0, 3000)
     azimuth = np.linspace(-60, 60, 2401)
     turn = np.radians(azimuth)[:, None]
@@ -89,7 +90,7 @@ def test_every_pixel_knows_the_ground_that_it_shows():
     far = distance > 30.0  # float32 elevations are good to 0.1 mm: an angle at arm's length
     assert np.abs(x - cols)[far].max() < 0.05
     assert np.abs(y - rows)[far].max() < 0.05
-    col, row = view.raster_pixels()
+    col, row = view.frame.to_pixel(view.east_m.astype(float), view.north_m.astype(float))
     surface = bilinear(scene.terrain.elevation_m, row[solid], col[solid])
     across = np.abs(surface - view.elevation_m[solid]) / (distance / scene.camera.focal_px)
     assert np.median(across) < 0.3
@@ -128,7 +129,7 @@ def test_sky_is_brighter_and_bluer_than_the_ground_on_a_clear_day():
 def test_what_hides_the_ridge_is_told(clouds, foreground):
     terrain = small_mountains()
     scene = mountain_scene(1)
-    weather = clean_scene(5, clouds=clouds, foreground=foreground, cloud_share=0.5, foreground_share=0.6)
+    weather = SceneOptions(5, clouds=clouds, foreground=foreground, cloud_share=0.5, foreground_share=0.6)
     view = render_view(terrain, scene.observer, scene.camera, scene.pose, weather)
     np.testing.assert_array_equal(view.skyline_row_px, scene.view.skyline_row_px)
     assert view.hidden.mean() > 0.02
@@ -140,7 +141,7 @@ def test_what_hides_the_ridge_is_told(clouds, foreground):
 
 def test_fog_hides_the_whole_ridge_and_clear_air_none():
     scene = mountain_scene(1)
-    fog = render_view(scene.terrain, scene.observer, scene.camera, scene.pose, clean_scene(1, clouds="fog"))
+    fog = render_view(scene.terrain, scene.observer, scene.camera, scene.pose, SceneOptions(1, clouds="fog"))
     assert not fog.skyline_visible.any()
     assert scene.view.skyline_visible[np.isfinite(scene.view.skyline_row_px)].all()
 
@@ -148,7 +149,7 @@ def test_fog_hides_the_whole_ridge_and_clear_air_none():
 def test_haze_takes_contrast_from_far_ground():
     scene = mountain_scene(1)
     far = (scene.view.distance_m > 5_000) & np.isfinite(scene.view.distance_m)
-    hazy = render_view(scene.terrain, scene.observer, scene.camera, scene.pose, clean_scene(1, visibility_m=15_000.0))
+    hazy = render_view(scene.terrain, scene.observer, scene.camera, scene.pose, SceneOptions(1, visibility_m=15_000.0))
     assert hazy.pixels[far].std() < 0.7 * scene.view.pixels[far].std()
 
 
@@ -171,8 +172,8 @@ def test_voids_and_the_edge_of_the_terrain_are_sky():
 def test_a_lake_is_flat_and_mirrors_the_sky():
     elevation = np.full((200, 200), 400.0, np.float32)
     terrain, observer = ArrayTerrain(elevation, 50.0), Observer(0, 0, 30.0)
-    dry = render_view(terrain, observer, CAMERA, Pose(0.0, -5.0), clean_scene(2, snow_line_m=9e3, tree_line_m=0.0))
-    options = clean_scene(2, snow_line_m=9e3, tree_line_m=0.0, lake_elevation_m=400.0)
+    dry = render_view(terrain, observer, CAMERA, Pose(0.0, -5.0), SceneOptions(2, snow_line_m=9e3, tree_line_m=0.0))
+    options = SceneOptions(2, snow_line_m=9e3, tree_line_m=0.0, lake_elevation_m=400.0)
     wet = render_view(terrain, observer, CAMERA, Pose(0.0, -5.0), options)
     far = np.isfinite(wet.distance_m) & (wet.distance_m > 1_000)
     blueness = [v.pixels[far][:, 2].astype(float).mean() - v.pixels[far][:, 0].mean() for v in (wet, dry)]
