@@ -14,7 +14,7 @@ from scipy import ndimage
 
 from ..core.base.progress import SILENT, Progress, checkpoint
 from ..core.base.terrain import ArrayTerrain
-from ..core.simulate.noise import fractal_field, noise_tile
+from ..core.simulate.noise import noise_tile, power_spectrum, without_long_waves
 from .erosion import slide, wear
 
 
@@ -175,3 +175,10 @@ def _resample_inner(carved, size, seed):
     bend_y = bend.sample(x / cells * 220 + 97, y / cells * 220 + 31, 4.0)[..., 0]
     gain = 0.014 * cells
     return ndimage.map_coordinates(carved, [y + gain * bend_y, x + gain * bend_x], order=3, mode="nearest")
+
+
+def fractal_field(seed, slope, cells, longest_cells):
+    """Make one periodic (cells, cells) random field of unit deviation without waves longer than `longest_cells`."""
+    spectrum, frequency = power_spectrum(seed, slope, cells)
+    value = np.fft.irfft2(spectrum * without_long_waves(frequency / cells, longest_cells), s=(cells, cells))
+    return (value / value.std()).astype(np.float32)

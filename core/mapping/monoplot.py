@@ -30,9 +30,6 @@ OTHER_SURFACE = 0.1
 GAP_RATIO = 8.0
 """...and do, where the gap is also this many times the pixel's usual one."""
 
-EDGE_SHARE = 0.05
-"""Share of the draws elsewhere from which a pixel is said to lie at an edge."""
-
 PIXELS_AT_ONCE = 4000
 
 
@@ -88,11 +85,6 @@ class GroundEllipse:
     near_m: np.ndarray
     far_m: np.ndarray
     p_other: np.ndarray
-
-    @property
-    def at_edge(self):
-        """(N,) bool: the place may lie on another surface altogether."""
-        return self.p_other > EDGE_SHARE
 
 
 def place_pixels(terrain, view, x_px, y_px, options=None, progress=SILENT):

@@ -76,8 +76,8 @@ def noise_tile(seed, slope=1.0, longest_cells=np.inf):
     features of its own period.
     """
     cells = TILE_CELLS
-    spectrum, frequency = _spectrum(seed, slope, cells)
-    spectrum = spectrum * _without_long_waves(frequency / cells, longest_cells)
+    spectrum, frequency = power_spectrum(seed, slope, cells)
+    spectrum = spectrum * without_long_waves(frequency / cells, longest_cells)
     levels, scale = [], 1.0
     for level in range(MIP_LEVELS):
         width = 0.0 if level == 0 else 2.0**level / 2.5
@@ -91,19 +91,27 @@ def noise_tile(seed, slope=1.0, longest_cells=np.inf):
     return NoiseTile(np.array(levels, np.float32), cells)
 
 
-def fractal_field(seed, slope, cells, longest_cells):
-    """Make one periodic (cells, cells) random field of unit deviation without waves longer than `longest_cells`."""
-    spectrum, frequency = _spectrum(seed, slope, cells)
-    value = np.fft.irfft2(spectrum * _without_long_waves(frequency / cells, longest_cells), s=(cells, cells))
-    return (value / value.std()).astype(np.float32)
-
-
-def _without_long_waves(waves_per_cell, longest_cells):
+def without_long_waves(waves_per_cell, longest_cells):
+    """Factor that takes the waves longer than `longest_cells` out of a spectrum, without an edge."""
     return 1 - np.exp(-(np.minimum(waves_per_cell * min(longest_cells, 1e6), 10.0) ** 2))
 
 
-def _spectrum(seed, slope, cells):
-    """Random half spectrum under a power law, and its frequencies [waves per period].
+def power_spectrum(seed, slope, cells):
+    """Draw a random half spectrum under a power law.
+
+    Parameters
+    ----------
+    seed : int
+    slope : float
+        The amplitude falls as 1 / frequency ** `slope`.
+    cells : int
+        Period of the field [cells].
+
+    Returns
+    -------
+    spectrum : (cells, cells / 2 + 1) complex array
+    frequency : (cells, cells / 2 + 1) array
+        [waves per period].
 
     References
     ----------

@@ -3,7 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scenes import small_mountains
-from skyline_viewshed.demo.mountains import MountainOptions, make_mountains, roughness
+from scipy.ndimage import gaussian_filter
+from skyline_viewshed.demo.mountains import MountainOptions, fractal_field, make_mountains, roughness
 
 
 def test_a_seed_gives_one_range_and_another_seed_another():
@@ -54,3 +55,8 @@ def test_flat_ground_stays_flat():
 def test_senseless_options_are_refused():
     with pytest.raises(ValueError, match="at least 16"):
         MountainOptions(size=4)
+
+
+def test_a_field_has_no_waves_longer_than_asked():
+    field = fractal_field(4, 1.7, 256, 16.0)
+    assert gaussian_filter(field, 20, mode="wrap").std() < 0.05

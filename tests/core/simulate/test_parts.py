@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.ndimage import gaussian_filter
 from skyline_viewshed.core.base.camera import Camera, Pose
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.simulate.foreground import draw_foreground
-from skyline_viewshed.core.simulate.noise import fractal_field, noise_tile, smoothstep
+from skyline_viewshed.core.simulate.noise import noise_tile, smoothstep
 from skyline_viewshed.core.simulate.render import render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.simulate.sensor import develop
@@ -38,11 +37,6 @@ def test_a_large_footprint_averages_the_detail_away():
     x = np.arange(4000) * 0.37
     spread = [tile.sample(x, 0 * x, blur)[:, 0].std() for blur in (1.0, 4.0, 16.0)]
     assert spread[0] > 1.5 * spread[1] > 2 * spread[2]
-
-
-def test_a_field_has_no_waves_longer_than_asked():
-    field = fractal_field(4, 1.7, 256, 16.0)
-    assert gaussian_filter(field, 20, mode="wrap").std() < 0.05
 
 
 def test_smoothstep_rises_and_falls():
