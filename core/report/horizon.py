@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..figures.profile import horizon_profile_svg
-from ..figures.text import azimuth, degrees, escape, with_unit
+from ..figures.text import azimuth, degrees, with_unit
 from .facts import percent
-from .overview import badge
+from .overview import badge, number_cell
 from .page import DEFAULT_SOFTWARE, PageWriter, fact_table
+from .pieces import fill, joined, long_text
 
 MOST_WITH_FIGURES = 2_000
 """Places drawn; a page of more would be hard to open."""
@@ -44,20 +45,19 @@ class HorizonReportWriter(PageWriter):
         rows += [(str(label), str(value)) for label, value in (extras or {}).items()]
         drawing = horizon_profile_svg(horizon, width=1280, height=240, say=say) if number <= MOST_WITH_FIGURES else ""
         half = -(-len(rows) // 2)
-        tables = fact_table(say("Place and horizon"), rows[:half]) + fact_table(say("Eye and DEM"), rows[half:])
-        self._document.write(
-            f'<article class="card item is-place" id="place-{number}"><header>'
-            f'<h2><bdi>{escape(name)}</bdi></h2></header>{drawing}<div class="numbers">{tables}</div></article>\n'
-        )
+        titles = (say("Place and horizon"), rows[:half]), (say("Eye and DEM"), rows[half:])
+        tables = joined(fact_table(title, part) for title, part in titles)
+        self._card("place", name, joined([drawing, fill("numbers", tables=tables)]))
 
     def add_failed(self, name, message):
         """Append the card of a place that has no horizon, with the reason."""
         self._rows.append((name, None))
-        self._document.write(
-            f'<article class="card item is-failed" id="place-{len(self._rows)}"><header>'
-            f"{badge('failed', self._say)}<h2><bdi>{escape(name)}</bdi></h2></header>"
-            f'<p class="advice">{escape(message, 1000)}</p></article>\n'
-        )
+        self._card("failed", name, fill("advice", words=long_text(message)), badge("failed", self._say))
+
+    def _card(self, status, name, body, sign=""):
+        anchor = f"place-{len(self._rows)}"
+        card = fill("card", status=status, anchor=anchor, badge=sign, name=name, origin="", body=body)
+        self._document.write(card)
 
     def _counts(self):
         say, count = self._say, len(self._rows)
@@ -94,18 +94,11 @@ def _facts(horizon, sky_view_factor, say):
 
 
 def _table(rows, say):
-    labels = next((facts for _, facts in rows if facts), [])
-    heads = "".join(f'<th scope="col" data-numeric class="number">{escape(label)}</th>' for label, _, _ in labels)
+    labels = [label for label, _, _ in next((facts for _, facts in rows if facts), [])]
+    heads = joined([fill("text_head", words=say("Place")), *(fill("number_head", words=label) for label in labels)])
     lines = []
     for number, (name, facts) in enumerate(rows, 1):
-        cells = "".join(
-            f'<td class="number" data-sort="{"" if value is None else f"{value:.6g}"}">{escape(words)}</td>'
-            for _, value, words in (facts or [(label, None, "–") for label, _, _ in labels])
-        )
-        name_cell = f'<a href="#place-{number}"><bdi>{escape(name)}</bdi></a>'
-        lines.append(f'<tr><td class="name-cell" data-sort="{escape(name)}">{name_cell}</td>{cells}</tr>\n')
-    first = f'<th scope="col">{escape(say("Place"))}</th>'
-    return (
-        f'<section class="panel scroll"><table class="overview sortable"><thead><tr>{first}'
-        f"{heads}</tr></thead><tbody>{''.join(lines)}</tbody></table></section>\n"
-    )
+        cells = [fill("name_cell", name=name, anchor=f"place-{number}", reason="")]
+        cells += [number_cell(value, words) for _, value, words in facts or [(label, None, "–") for label in labels]]
+        lines.append(fill("place_row", cells=joined(cells)))
+    return fill("overview", heads=heads, rows=joined(lines))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from ..figures.text import azimuth, compass_point, degrees, escape, is_known, with_unit
+from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
 from .facts import STATUSES, percent, status_word
+from .pieces import fill, joined
 
 SIGNS = {"accepted": "✓", "ambiguous": "?", "rejected": "✕", "failed": "!"}
 """Beside the colour, for those who do not tell red from green."""
@@ -33,62 +34,48 @@ def columns(say):
 
 def badge(status, say=str):
     """The coloured word of a status."""
-    return f'<span class="badge">{SIGNS[status]} {escape(status_word(status, say))}</span>'
+    return fill("badge", sign=SIGNS[status], word=status_word(status, say))
 
 
 def switches():
     """Hidden inputs that filter photographs and switch layers without a script; they precede all they steer."""
-    shown = "".join(
-        f'<input class="switch" type="radio" name="show" id="show-{name}"{" checked" if name == "all" else ""}>'
-        for name in ("all", *STATUSES)
-    )
-    layers = "".join(f'<input class="switch" type="checkbox" id="layer-{name}" checked>' for name in LAYERS)
-    return f'{shown}{layers}<input class="switch" type="checkbox" id="layer-whole">\n'
+    shown = [("show_switch", name, " checked" if name == "all" else "") for name in ("all", *STATUSES)]
+    layers = [("layer_switch", name, " checked") for name in LAYERS] + [("layer_switch", "whole", "")]
+    return joined([*(fill(piece, name=name, checked=checked) for piece, name, checked in shown + layers), "\n"])
 
 
 def bar(summaries, say=str):
     """The bar that stays in sight: filters by status on the left, layers of the overlays on the right."""
     counts = Counter(summary.status for summary in summaries)
-    filters = [f'<label for="show-all">{escape(say("all"))} {len(summaries)}</label>']
-    filters += [
-        f'<label for="show-{name}">{SIGNS[name]} {escape(status_word(name, say))} {counts[name]}</label>'
-        for name in STATUSES
-        if counts[name]
-    ]
+    filters = [("all", f"{say('all')} {len(summaries)}")]
+    filters += [(name, f"{SIGNS[name]} {status_word(name, say)} {counts[name]}") for name in STATUSES if counts[name]]
     words = say("evidence"), say("extracted skyline"), say("DEM horizon, answer"), say("alternatives")
-    layers = [
-        f'<label for="layer-{name}"><span class="key key-{name}"></span>{escape(said)}</label>'
-        for name, said in zip(LAYERS, words)
-    ]
-    layers.append(f'<label for="layer-whole">{escape(say("whole picture"))}</label>')
-    return f'<div class="bar"><div>{"".join(filters)}<span class="gap"></span>{"".join(layers)}</div></div>\n'
+    layers = [(name, fill("layer_key", name=name), said) for name, said in zip(LAYERS, words)]
+    layers.append(("whole", "", say("whole picture")))
+    return fill(
+        "bar",
+        filters=joined(fill("show_label", name=name, words=said) for name, said in filters),
+        layers=joined(fill("layer_label", name=name, key=key, words=said) for name, key, said in layers),
+    )
 
 
 def overview_table(summaries, say=str):
     """The table of all photographs, in the order of the run."""
-    heads = "".join(
-        f'<th scope="col"{" data-numeric class=number" if numeric else ""}>{escape(name)}</th>'
-        for name, numeric in columns(say)
-    ).replace(" class=number", "", 1)
-    rows = "".join(_row(number, summary, say) for number, summary in enumerate(summaries, 1))
-    return (
-        f'<section class="panel scroll"><table class="overview sortable"><thead><tr>{heads}</tr></thead>'
-        f"<tbody>{rows}</tbody></table></section>\n"
-    )
+    heads = [fill("number_head" if numeric else "text_head", words=name) for name, numeric in columns(say)]
+    heads[0] = fill("status_head", words=columns(say)[0][0])
+    rows = joined(_row(number, summary, say) for number, summary in enumerate(summaries, 1))
+    return fill("overview", heads=joined(heads), rows=rows)
 
 
 def _row(number, summary, say):
     failed = summary.heading_deg is None
-    reason = f'<br><span class="quiet">{escape(summary.message)}</span>' if failed else ""
-    name = f'<a href="#photo-{number}"><bdi>{escape(summary.name)}</bdi></a>{reason}'
+    reason = fill("reason", words=summary.message) if failed else ""
     half = "–" if summary.half_interval_deg is None else f"±{summary.half_interval_deg:.2f}°"
     heading = "–" if failed else f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}"
     residual = with_unit(summary.residual_px, "px", 1)
     if summary.residual_deg is not None:
         residual += f", {summary.residual_deg:.2f}°"
-    cells = (
-        (STATUSES.index(summary.status), badge(summary.status, say)),
-        (None, ""),
+    numbers = (
         (summary.heading_deg, heading),
         (summary.half_interval_deg, half),
         (summary.p_correct, percent(summary.p_correct)),
@@ -99,10 +86,14 @@ def _row(number, summary, say):
         (summary.hfov_deg, degrees(summary.hfov_deg)),
         (summary.residual_px, residual),
     )
-    written = [
-        f'<td class="number" data-sort="{f"{value:.6g}" if is_known(value) else ""}">{words}</td>'
-        for value, words in cells
+    cells = [
+        fill("status_cell", sort=STATUSES.index(summary.status), words=badge(summary.status, say)),
+        fill("name_cell", name=summary.name, anchor=f"photo-{number}", reason=reason),
+        *(number_cell(value, words) for value, words in numbers),
     ]
-    written[0] = written[0].replace(' class="number"', "")
-    written[1] = f'<td class="name-cell" data-sort="{escape(summary.name)}">{name}</td>'
-    return f'<tr class="item is-{summary.status}">{"".join(written)}</tr>\n'
+    return fill("photo_row", status=summary.status, cells=joined(cells))
+
+
+def number_cell(value, words):
+    """A cell that sorts by its value, None or NaN where unknown."""
+    return fill("number_cell", sort=f"{value:.6g}" if is_known(value) else "", words=words)

@@ -13,68 +13,45 @@ from pathlib import Path
 from typing import Protocol
 
 from ..figures.svg import STYLE
-from ..figures.text import escape
+from .pieces import Html, fill, joined, long_text
 
 _HERE = Path(__file__).parent
-
-
-def page_head(title, class_="report", say=str):
-    """Begin a page: everything up to and including the opening body tag."""
-    language = escape(say("language code: en").split()[-1])  # each catalogue names its own
-    style, script = _assets()
-    policy = (
-        f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
-        "base-uri 'none'; form-action 'none'"
-    )
-    return (
-        f'<!DOCTYPE html>\n<html lang="{language}"><head><meta charset="utf-8">'
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        '<meta name="color-scheme" content="light dark"><meta name="referrer" content="no-referrer">'
-        f"<title>{escape(title)}</title><style>{style}</style></head>\n<body class={class_!r} id='top'>\n"
-    )
-
-
-def page_tail(software="", say=str):
-    """End a page with the program's name, the script, and the closing tags."""
-    made_by = say("Made by {software}.").format(software=software) + " " if software else ""
-    quiet = say("This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.")
-    return (
-        f'<footer class="page quiet">{escape(made_by + quiet, 2000)}</footer>\n'
-        f"<script>{_assets()[1]}</script>\n</body></html>\n"
-    )
 
 
 def parameter_panel(parameters, say=str):
     """Fold-out list of a run's parameters; a mapping inside the mapping becomes a group of its own."""
     if not parameters:
-        return ""
+        return Html()
     loose = {label: value for label, value in parameters.items() if not isinstance(value, Mapping)}
     groups = [(say("Run"), loose)] if loose else []
     groups += [(label, value) for label, value in parameters.items() if isinstance(value, Mapping)]
-    tables = "".join(fact_table(title, [(str(a), _words(b)) for a, b in group.items()]) for title, group in groups)
-    return (
-        f'<details class="panel"><summary>{escape(say("Parameters, DEM and software"))}</summary>'
-        f'<div class="numbers">{tables}</div></details>'
-    )
+    tables = joined(fact_table(title, [(a, _words(b)) for a, b in group.items()]) for title, group in groups)
+    return fill("panel", title=say("Parameters, DEM and software"), body=fill("numbers", tables=tables))
 
 
 def fact_table(title, rows):
     """A titled two-column table of plain words, escaped here."""
-    body = "".join(
-        f"<tr><td>{escape(label)}</td><td><bdi>{escape(words, 2000)}</bdi></td></tr>" for label, words in rows
-    )
-    return f"<section><h3>{escape(title)}</h3><table>{body}</table></section>"
+    cells = joined(fill("fact_row", label=label, words=long_text(words, 2000)) for label, words in rows)
+    return fill("fact_table", title=title, rows=cells)
 
 
 def data_url(payload, kind):
     """Bytes of a picture ('jpeg', 'png') as a data URL."""
-    return f"data:image/{kind};base64,{base64.b64encode(payload).decode('ascii')}"
+    return Html(f"data:image/{kind};base64,{base64.b64encode(payload).decode('ascii')}")
 
 
 def _assets():
-    style = STYLE + (_HERE / "report.css").read_text(encoding="utf-8")
-    return style, (_HERE / "report.js").read_text(encoding="utf-8")
+    """Style sheet, script, and the policy that allows these two and nothing else."""
+    style, script = STYLE + _read("report.css"), _read("report.js")
+    policy = (
+        f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    return {"style": Html(style), "script": Html(script), "policy": Html(policy)}
+
+
+def _read(name):
+    return (_HERE / name).read_text(encoding="utf-8")
 
 
 def _hash(text):
@@ -139,15 +116,30 @@ class PageWriter:
         """Finish the page and make it appear."""
         if self._open:
             self._open = False
-            before, overview, after = self._frame()
+            say, assets = self._say, _assets()
+            (switches, bar), overview, left_out = self._frame()
             said = [*self._counts(), *([f"{self._created:%Y-%m-%d %H:%M}"] if self._created else []), self._software]
-            counts = "".join(f"<span>{escape(words)}</span>" for words in said)
-            mast = f'<h1>{escape(self._title)}</h1><div class="counts quiet">{counts}</div>'
-            before, bar = before
-            head = page_head(self._title, say=self._say)
-            head += f'{before}<div class="page-head">{mast}</div>\n{bar}<div class="page">'
-            head += parameter_panel(self._parameters, self._say) + overview
-            self._document.finish(head, f"{after}</div>{page_tail(self._software, self._say)}")
+            head = fill(
+                "page_head",
+                language=say("language code: en").split()[-1],  # each catalogue names its own
+                policy=assets["policy"],
+                style=assets["style"],
+                title=self._title,
+                counts=joined(fill("count", words=words) for words in said),
+                parameters=parameter_panel(self._parameters, say),
+                switches=switches,
+                bar=bar,
+                overview=overview,
+            )
+            words = long_text(self._closing_words(), 2000)
+            self._document.finish(head, fill("page_tail", left_out=left_out, words=words, script=assets["script"]))
+
+    def _closing_words(self):
+        say = self._say
+        made_by = say("Made by {software}.").format(software=self._software) + " " if self._software else ""
+        return made_by + say(
+            "This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous."
+        )
 
     def discard(self):
         """Give the page up, leaving nothing behind."""

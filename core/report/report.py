@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ..figures.stations import Station, stations_svg
-from ..figures.text import escape
 from .card import photo_card
 from .facts import STATUSES, status_word, summarise
 from .overview import bar, overview_table, switches
 from .page import DEFAULT_SOFTWARE, PageWriter
+from .pieces import Html, fill, joined, long_text
 
 MOST_ACCEPTED_WITH_FIGURES = 1_000
 """Accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers only."""
@@ -56,7 +56,7 @@ class ReportWriter(PageWriter):
         figures = self._drawn < most
         self._drawn += figures
         number = len(self._summaries)
-        self._document.write(photo_card(photo, number, extras, self._picture_px, figures, panels, self._say))
+        self._document.write(photo_card(photo, number, extras, self._picture_px if figures else 0, panels, self._say))
 
     def _counts(self):
         counts = [(sum(summary.status == name for summary in self._summaries), name) for name in STATUSES]
@@ -64,14 +64,14 @@ class ReportWriter(PageWriter):
 
     def _frame(self):
         table = overview_table(self._summaries, self._say)
-        return (switches(), bar(self._summaries, self._say)), table + self._plan(), self._left_out()
+        return (switches(), bar(self._summaries, self._say)), joined([table, self._plan()]), self._left_out()
 
     def _plan(self):
         """The plan of the stations, folded in; the first thousand of them."""
         say = self._say
         plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
-        summary = f"<summary>{escape(say('Where the photographs stand and look'))}</summary>"
-        return f'<details class="panel">{summary}{plan}</details>' if plan else ""
+        title = say("Where the photographs stand and look")
+        return fill("panel", title=title, body=Html(plan)) if plan else Html()
 
     def _left_out(self):
         missing = len(self._summaries) - self._drawn
@@ -82,7 +82,7 @@ class ReportWriter(PageWriter):
             "{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first "
             "{most} in full ({accepted} accepted ones). Run them in smaller groups to see them all."
         ).format(count=missing, most=MOST_WITH_FIGURES, accepted=MOST_ACCEPTED_WITH_FIGURES)
-        return f'<p class="panel">{escape(words, 1000)}</p>'
+        return fill("left_out", words=long_text(words))
 
 
 def _station(photo, summary, number):
