@@ -57,3 +57,20 @@ def is_text(node):
     if isinstance(node, ast.BinOp):
         return is_text(node.left) or is_text(node.right)
     return isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Constant) and isinstance(node.value, str))
+
+
+def test_every_error_is_one_that_a_user_can_act_on_and_a_cancel_is_none():
+    assert [name for name, kind in FAMILY.items() if not issubclass(kind, errors.SkylineViewshedError)] == []
+    with pytest.raises(errors.Cancelled):
+        try:
+            raise errors.Cancelled
+        except Exception:
+            pytest.fail("a handler of errors has swallowed the user's cancel")
+
+
+def test_a_photo_s_own_faults_end_the_photo_and_the_dem_s_end_the_run():
+    photo = {name for name, kind in FAMILY.items() if issubclass(kind, errors.PhotoError)}
+    run = {name for name, kind in FAMILY.items() if issubclass(kind, errors.TerrainError)}
+    assert {"UnreadablePhotoError", "SkylineNotFoundError", "ObserverOutsideDemError"} < photo
+    assert {"NoElevationAtObserverError", "ObserverError"} < photo and "UnusableDemError" in run
+    assert not photo & run
