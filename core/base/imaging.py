@@ -85,6 +85,8 @@ def shrink(image, width_px, height_px):
     if cv2 and image.size <= LARGE:
         # Rounding to whole grey levels would cost faint far ridges their edge, so bytes are not averaged as bytes.
         return cv2.resize(image.astype(np.float32), (width_px, height_px), interpolation=cv2.INTER_AREA)
+    # Not by Pillow's box filter, which weighs whole pixels by their centres: on a photograph of 3872 x 2592 pixels
+    # reduced to 1024 x 685 it is up to 17 levels of 255 (0.7 on average) away from OpenCV's areas, these are 0.0001.
     down, across = _area_weights(height, height_px), _area_weights(width, width_px)
     out = np.empty((height_px, width_px) + image.shape[2:], np.float32)
     for top in range(0, height_px, STRIP_PX):

@@ -132,7 +132,11 @@ def _saddles(z, top):
 
 
 def _merge(z, top, saddle, left, right):
-    """Merge hills from the highest saddle down (union-find); gives each summit and its prominence."""
+    """Merge hills from the highest saddle down (union-find); gives each summit and its prominence.
+
+    `scipy.sparse.csgraph` cannot take its place: its spanning tree says which saddles join hills, but not which hill
+    was the lower when they did, and that is the prominence.
+    """
     summits = np.unique(top[top >= 0])
     number = np.full(z.size, -1)
     number[summits] = np.arange(summits.size)

@@ -44,7 +44,7 @@ def summits(longitude_deg, latitude_deg, centre):
 def write_summits(path, crs, cell, centre, half_m=14_000.0, south_up=False):
     """Write the mountain group as a GeoTIFF in a CRS; `cell` (x, y) in the CRS's units. Gives the path."""
     from osgeo import gdal, osr
-    from skyline_viewshed.core.io.crs import from_wgs84, to_wgs84
+    from skyline_viewshed.core.io.crs import from_wgs84
 
     reference = osr.SpatialReference()
     reference.SetFromUserInput(crs)
@@ -55,8 +55,7 @@ def write_summits(path, crs, cell, centre, half_m=14_000.0, south_up=False):
     left, top = x.min(), y.max()
     cols, rows = int((x.max() - left) / cell[0]), int((top - y.min()) / cell[1])
     grid_x, grid_y = left + (np.arange(cols) + 0.5) * cell[0], top - (np.arange(rows) + 0.5) * cell[1]
-    longitudes, latitudes = to_wgs84(wkt, *np.meshgrid(grid_x, grid_y))
-    elevation = summits(longitudes, latitudes, centre).astype(np.float32)
+    elevation = summits(*_positions(wkt, grid_x, grid_y), centre).astype(np.float32)
     transform = (left, cell[0], 0, top, 0, -cell[1])
     if south_up:
         elevation, transform = elevation[::-1], (left, cell[0], 0, top - rows * cell[1], 0, cell[1])
@@ -65,3 +64,15 @@ def write_summits(path, crs, cell, centre, half_m=14_000.0, south_up=False):
     raster.SetProjection(wkt)
     raster.GetRasterBand(1).WriteArray(np.ascontiguousarray(elevation))
     return str(path)
+
+
+def _positions(wkt, x, y, step=16):
+    """Longitudes and latitudes of a grid: every 16th is transformed, a spline gives the rest to a micrometre."""
+    from scipy.interpolate import RectBivariateSpline
+    from skyline_viewshed.core.io.crs import to_wgs84
+
+    knots_x, knots_y = (np.linspace(axis[0], axis[-1], len(axis) // step + 4) for axis in (x, y))
+    known = to_wgs84(wkt, *np.meshgrid(knots_x, knots_y))
+    row, col = (np.linspace(0, 1, len(axis)) for axis in (y, x))
+    ends = np.linspace(0, 1, len(knots_y)), np.linspace(0, 1, len(knots_x))
+    return tuple(RectBivariateSpline(*ends, values)(row, col) for values in known)
