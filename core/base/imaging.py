@@ -1,7 +1,7 @@
 """Picture operations, by OpenCV where it is installed and by SciPy otherwise.
 
 The only module outside `core.io` that touches OpenCV. Every operation has a SciPy or NumPy twin that gives the same
-result to rounding (`tests/core/test_imaging.py`); OpenCV is only faster. Borders are mirrored about the edge
+result to rounding (`tests/core/base/test_imaging.py`); OpenCV is only faster. Borders are mirrored about the edge
 pixel's centre unless said otherwise.
 """
 
