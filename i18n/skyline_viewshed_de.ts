@@ -4215,6 +4215,16 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Parameter, DGM und Software</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>Sprachkürzel: de</translation>
     </message>
@@ -4227,16 +4237,6 @@
         <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Diese Seite ist in sich vollständig und lädt nichts aus einem Netz. Tasten: j nächstes Foto, k voriges.</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Run</source>
-        <translation>Lauf</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Parameters, DEM and software</source>
-        <translation>Parameter, DGM und Software</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>

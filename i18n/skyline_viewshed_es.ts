@@ -4215,6 +4215,16 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>Run</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Parámetros, MDE y programa</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>código de idioma: es</translation>
     </message>
@@ -4227,16 +4237,6 @@
         <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Esta página está completa en sí misma y no carga nada de una red. Teclas: j foto siguiente, k anterior.</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Run</source>
-        <translation>Ejecución</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Parameters, DEM and software</source>
-        <translation>Parámetros, MDE y programa</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>

@@ -4215,6 +4215,16 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>Run</source>
+        <translation>Exécution</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
+        <source>Parameters, DEM and software</source>
+        <translation>Paramètres, MNT et logiciel</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>language code: en</source>
         <translation>code de langue : fr</translation>
     </message>
@@ -4227,16 +4237,6 @@
         <location filename="../core/report/page.py"/>
         <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
         <translation>Cette page est complète en elle-même et ne charge rien d'un réseau. Touches : j photo suivante, k précédente.</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Run</source>
-        <translation>Exécution</translation>
-    </message>
-    <message>
-        <location filename="../core/report/page.py"/>
-        <source>Parameters, DEM and software</source>
-        <translation>Paramètres, MNT et logiciel</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>
