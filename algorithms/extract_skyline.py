@@ -129,7 +129,7 @@ def extract(path, method):
     photo, options = read_photo(path, None if method == "paper" else PREVIEW_PX), OrientOptions()
     metadata, evidence = photo.metadata, None
     if method == "paper":
-        skyline = extract_skyline_paper(photo.pixels, options.paper_skyline)
+        skyline = extract_skyline_paper(photo.pixels, options.paper.skyline)
     else:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
         skyline = evidence.best

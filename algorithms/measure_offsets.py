@@ -14,7 +14,6 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..core.base.camera import paper_fov_deg
 from ..core.base.errors import MissingMetadataError
 from ..core.base.messages import Message
 from ..core.base.progress import checkpoint
@@ -190,6 +189,7 @@ def frame_of(photo, given):
     if None not in given:
         return Frame(*given)
     from ..core.io.photo import read_metadata
+    from ..core.paper.method import paper_fov_deg
 
     metadata = read_metadata(photo)
     size = metadata.width_px, metadata.height_px

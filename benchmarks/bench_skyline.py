@@ -18,7 +18,7 @@ import numpy as np
 from PIL import Image
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
 from skyline_viewshed.core.paper.skyline import extract_skyline_paper
-from skyline_viewshed.core.skyline.evidence import EvidenceOptions, skyline_evidence
+from skyline_viewshed.core.skyline.evidence import SkylineOptions, skyline_evidence
 
 ROOT = Path(__file__).resolve().parent.parent
 METHODS = ("robust", "paper")
@@ -39,7 +39,7 @@ def skyline_rows(pixels, method, weights, width, height):
         if method == "paper":
             found = extract_skyline_paper(pixels)
         else:
-            found = skyline_evidence(pixels, EvidenceOptions(weights=weights)).best
+            found = skyline_evidence(pixels, SkylineOptions(weights=weights)).best
     except SkylineNotFoundError:
         return np.full(width, np.nan), time.process_time() - start
     spent = time.process_time() - start

@@ -29,7 +29,7 @@ from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.match.prior import CompassOptions, compass_prior
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, camera_prior, orient_photo
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bench_accuracy import dem_of, read_truth, request_of  # noqa: E402
@@ -109,16 +109,9 @@ def measure(folder, given):
             metadata = replace(photo.metadata, width_px=camera.width_px, height_px=camera.height_px)
             known = camera.hfov_deg * np.exp(generator.normal(0, FOCAL_SIGMA))
             started = time.process_time()
-            answer = orient_photo(
-                replace(photo, metadata=metadata, pixels=pixels),
-                dem,
-                observer,
-                camera_prior(metadata, known),
-                options,
-                hints,
-                base.horizon,
-                inner,
-            ).orientation
+            setting = Setting(observer, camera_prior(metadata, known), hints, base.horizon, inner)
+            view = replace(photo, metadata=metadata, pixels=pixels)
+            answer = orient_photo(view, dem, setting, options).orientation
             spent = time.process_time() - started
             if given.pictures:
                 given.pictures.mkdir(parents=True, exist_ok=True)

@@ -23,8 +23,9 @@ from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
 from .horizon.inner import inner_terrain
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
-from .match.prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, Landmark, compass_prior, true_heading_deg
-from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
+from .match.landmarks import Landmark
+from .match.prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, compass_prior, true_heading_deg
+from .pipeline import Hints, OrientOptions, Setting, camera_prior, cast_horizon, orient_photo
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
@@ -118,22 +119,46 @@ class HorizonCache:
         self._kept = OrderedDict()
 
     def profile(self, dem, observer, options, progress=SILENT):
-        """Give the observer's horizon, cast anew only where it is not among the last ones."""
+        """Give the observer's horizon, cast anew only where it is not among the last ones.
+
+        Parameters
+        ----------
+        dem : core.io.raster.Dem
+        observer : Observer
+        options : HorizonOptions or PaperHorizonOptions
+        progress : Progress
+
+        Returns
+        -------
+        HorizonProfile
+        """
         return self._look_up(cast_horizon, dem, observer, options, progress)
 
     def inner(self, dem, observer, options, progress=SILENT):
-        """Give the terrain below the observer's horizon in the same way."""
+        """Give the terrain below the observer's horizon in the same way.
+
+        Parameters
+        ----------
+        dem : core.io.raster.Dem
+        observer : Observer
+        options : InnerOptions
+        progress : Progress
+
+        Returns
+        -------
+        InnerTerrain
+        """
         return self._look_up(inner_terrain, dem, observer, options, progress)
 
     def _look_up(self, compute, dem, observer, options, progress):
-        key = (compute, id(dem), observer, options)
+        # A DEM equals itself only; as part of the key it stays alive as long as its results.
+        key = (compute, dem, observer, options)
         if key not in self._kept:
-            # The DEM is kept with its results, so that its id cannot come to mean another one.
-            self._kept[key] = (compute(dem, observer, options, progress), dem)
+            self._kept[key] = compute(dem, observer, options, progress)
             while len(self._kept) > 2 * self.size:
                 self._kept.popitem(last=False)
         self._kept.move_to_end(key)
-        return self._kept[key][0]
+        return self._kept[key]
 
 
 def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT):  # noqa: B008 - frozen
@@ -180,10 +205,8 @@ def _orient(request, dem, options, cache, progress):
     if error is None and not given:
         error = metadata.position_error_m
     inner = None if paper else cache.inner(dem, observer, options.inner)
-    oriented = orient_photo(
-        photo, dem, observer, prior, options, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M,
-        subtask(progress, 0.4, 1.0),
-    )  # fmt: skip
+    setting = Setting(observer, prior, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M)
+    oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
     notes = metadata.notes + _eye_notes(request, metadata, oriented) + oriented.orientation.notes
     return replace(
         oriented,

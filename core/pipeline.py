@@ -4,22 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px, paper_fov_deg
+from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px
 from .base.errors import MissingMetadataError, ObserverError, SkylineNotFoundError
 from .base.imaging import thumbnail
 from .base.messages import Message
-from .base.model import Orientation, OrientedPhoto, SkylineEvidence
+from .base.model import HorizonProfile, Orientation, OrientedPhoto, SkylineEvidence
 from .base.progress import SILENT, subtask
-from .base.terrain import ground_elevation_m
+from .base.terrain import Observer, ground_elevation_m
 from .horizon.horizon import HorizonOptions, horizon_profile
-from .horizon.inner import InnerOptions, inner_terrain
+from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
+from .match.inputs import MatchInputs
 from .match.prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
-from .paper.match import PaperMatchOptions, match_paper
-from .paper.skyline import PaperSkylineOptions, extract_skyline_paper
-from .skyline.evidence import EvidenceOptions as SkylineOptions
-from .skyline.evidence import skyline_evidence
+from .paper.method import PaperOptions, orient_by_paper
+from .skyline.evidence import SkylineOptions, skyline_evidence
 
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")
@@ -36,7 +35,8 @@ class OrientOptions:
     compass : str
         'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
     horizon, inner, skyline, robust : options of the robust method's stages
-    paper_skyline, paper_horizon, paper_match : options of the published method's stages
+    paper : PaperOptions
+        Of the published method.
     """
 
     method: str = "robust"
@@ -45,9 +45,7 @@ class OrientOptions:
     inner: InnerOptions = field(default_factory=InnerOptions)
     skyline: SkylineOptions = field(default_factory=SkylineOptions)
     robust: RobustOptions = field(default_factory=RobustOptions)
-    paper_skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
-    paper_horizon: PaperHorizonOptions = field(default_factory=PaperHorizonOptions)
-    paper_match: PaperMatchOptions = field(default_factory=PaperMatchOptions)
+    paper: PaperOptions = field(default_factory=PaperOptions)
 
     def __post_init__(self):
         if self.method not in METHODS or self.compass not in COMPASS_USES:
@@ -58,9 +56,8 @@ class OrientOptions:
         """Horizon options of the chosen method; they tell `cast_horizon` which engine is meant."""
         if self.method == "robust":
             return self.horizon
-        return replace(
-            self.paper_horizon, max_distance_m=min(self.paper_horizon.max_distance_m, self.horizon.max_distance_m)
-        )
+        rays = self.paper.horizon
+        return replace(rays, max_distance_m=min(rays.max_distance_m, self.horizon.max_distance_m))
 
 
 @dataclass(frozen=True)
@@ -82,8 +79,47 @@ class Hints:
     evidence: SkylineEvidence | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """What is known of one photograph beside its picture.
+
+    Attributes
+    ----------
+    observer : Observer
+    prior : CameraPrior
+        See `camera_prior`.
+    hints : Hints
+    horizon : HorizonProfile or None
+        Of this observer, where a photo of the same station has it already.
+    inner : InnerTerrain or None
+        The same of the terrain below it.
+    position_error_m : float
+        Standard deviation of the position [m].
+    """
+
+    observer: Observer
+    prior: CameraPrior
+    hints: Hints = field(default_factory=Hints)
+    horizon: HorizonProfile | None = None
+    inner: InnerTerrain | None = None
+    position_error_m: float = TYPICAL_POSITION_ERROR_M
+
+
 def cast_horizon(terrain, observer, options, progress=SILENT):
-    """Cast the horizon of either method: `options` are `HorizonOptions` or `PaperHorizonOptions`."""
+    """Cast the horizon of either method.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    options : HorizonOptions or PaperHorizonOptions
+        Tell which method is meant.
+    progress : Progress
+
+    Returns
+    -------
+    HorizonProfile
+    """
     if isinstance(options, PaperHorizonOptions):
         return paper_horizon(terrain, observer, replace(options, eye_height_m=observer.eye_height_m), progress)
     return horizon_profile(terrain, observer, options, progress)
@@ -117,18 +153,7 @@ def camera_prior(metadata, hfov_deg=None):
     return CameraPrior(Camera(width, height, focal), sigma)
 
 
-def orient_photo(
-    photo,
-    terrain,
-    observer,
-    prior,
-    options=OrientOptions(),  # noqa: B008 - frozen
-    hints=Hints(),  # noqa: B008 - frozen
-    horizon=None,
-    inner=None,
-    position_error_m=TYPICAL_POSITION_ERROR_M,
-    progress=SILENT,
-):
+def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILENT):  # noqa: B008 - frozen
     """Find where one photograph looks.
 
     Parameters
@@ -136,17 +161,9 @@ def orient_photo(
     photo : Photo
         Pixels full or reduced; the paper's method wants them full.
     terrain : Terrain
-    observer : Observer
-    prior : CameraPrior
-        See `camera_prior`.
+    setting : Setting
+        What is known beside the picture.
     options : OrientOptions
-    hints : Hints
-    horizon : HorizonProfile or None
-        Of this observer, where a photo of the same station has it already.
-    inner : InnerTerrain or None
-        The same of the terrain below it.
-    position_error_m : float
-        Standard deviation of the position [m].
     progress : Progress
 
     Returns
@@ -158,27 +175,29 @@ def orient_photo(
     PhotoError
         No horizon at this position.
     """
+    observer, horizon = setting.observer, setting.horizon
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
     if horizon is None:
         horizon = cast_horizon(terrain, observer, options.horizon_of_method, subtask(progress, 0.0, 0.4))
     rest = subtask(progress, 0.4, 1.0)
+    evidence = None
     try:
         if options.method == "paper":
-            orientation, skyline, evidence = _by_paper(photo, prior, horizon, options, rest)
+            orientation, skyline = orient_by_paper(photo, setting.prior.camera, horizon, options.paper, rest)
         else:
+            inner = setting.inner
             if inner is None:
                 inner = inner_terrain(terrain, observer, options.inner)
-            orientation, skyline, evidence = _robustly(
-                photo, prior, horizon, inner, options, hints, position_error_m, rest
-            )
+            orientation, evidence = _robustly(photo, replace(setting, horizon=horizon, inner=inner), options, rest)
+            skyline = evidence.best
     except SkylineNotFoundError as error:
-        orientation, skyline, evidence = Orientation("rejected", error.message), None, None
+        orientation, skyline = Orientation("rejected", error.message), None
     best = orientation.best
     return OrientedPhoto(
         photo.metadata.path,
         orientation,
         metadata=photo.metadata,
-        camera=prior.camera if best is None else best.camera,
+        camera=setting.prior.camera if best is None else best.camera,
         skyline=skyline,
         evidence=evidence,
         horizon=horizon,
@@ -190,8 +209,9 @@ def orient_photo(
     )
 
 
-def _robustly(photo, prior, horizon, inner, options, hints, position_error_m, progress):
-    metadata, robust = photo.metadata, options.robust
+def _robustly(photo, setting, options, progress):
+    """Orientation, and the evidence that it matched."""
+    metadata, hints, robust = photo.metadata, setting.hints, options.robust
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
@@ -199,30 +219,17 @@ def _robustly(photo, prior, horizon, inner, options, hints, position_error_m, pr
         # A given skyline places the answer better than the small picture of the ground below it, which tells which.
         evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
         robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
-    orientation = match_robust(
+    inputs = MatchInputs(
         evidence,
-        prior,
-        horizon,
-        robust,
+        setting.prior,
+        setting.horizon,
         hints.heading,
         hints.landmarks,
-        position_error_m,
-        inner,
-        subtask(progress, 0.4, 1.0),
+        setting.position_error_m,
+        setting.inner,
     )
-    if orientation.behind:
-        evidence = evidence.rival
-    return orientation, evidence.best, evidence
-
-
-def _by_paper(photo, prior, horizon, options, progress):
-    metadata = photo.metadata
-    skyline = extract_skyline_paper(photo.pixels, options.paper_skyline)
-    if metadata.focal_length_35mm is None:
-        fov = prior.camera.hfov_deg, prior.camera.vfov_deg
-    else:
-        fov = paper_fov_deg(metadata.width_px, metadata.height_px, metadata.focal_length_35mm)
-    return match_paper(skyline, *fov, horizon, options.paper_match, subtask(progress, 0.5, 1.0)), skyline, None
+    orientation = match_robust(inputs, robust, subtask(progress, 0.4, 1.0))
+    return orientation, evidence.rival if orientation.behind else evidence
 
 
 def _ground(terrain, frame):

@@ -76,6 +76,7 @@ def _solve(path, dem):
     from skyline_viewshed.core.horizon.horizon import horizon_profile
     from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
+    from skyline_viewshed.core.match.inputs import MatchInputs
     from skyline_viewshed.core.match.prior import TYPICAL_POSITION_ERROR_M
     from skyline_viewshed.core.match.robust import find_answers
     from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
@@ -91,9 +92,9 @@ def _solve(path, dem):
         inner = inner_terrain(dem, observer, options.inner)
     except PhotoError:
         return None
-    lens = camera_prior(metadata)
     position = metadata.position_error_m or TYPICAL_POSITION_ERROR_M
-    return find_answers(evidence, lens, horizon, options.robust, None, (), position, inner).finding
+    inputs = MatchInputs(evidence, camera_prior(metadata), horizon, position_error_m=position, inner=inner)
+    return find_answers(inputs, options.robust).finding
 
 
 def _row(name, finding, error_deg):

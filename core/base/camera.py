@@ -125,17 +125,6 @@ def focal_from_35mm_px(width_px, height_px, focal_length_35mm):
     return float(np.hypot(width_px, height_px) * focal_length_35mm / DIAGONAL_35MM)
 
 
-def paper_fov_deg(width_px, height_px, focal_length_35mm):
-    """Field of view by the paper's rule: (horizontal, vertical) [degrees].
-
-    Equation 1, HFOV = 2 atan(36 / (2 f35)), with 36 mm along the picture's long side and 24 mm along the short
-    one whatever its aspect, as the published 74 and 53 degrees at f35 = 24 mm show.
-    """
-    long_deg = fov_of_focal_deg(36.0, focal_length_35mm)
-    short_deg = fov_of_focal_deg(24.0, focal_length_35mm)
-    return (long_deg, short_deg) if width_px >= height_px else (short_deg, long_deg)
-
-
 def project(camera, pose, azimuth_deg, elevation_deg):
     """Map directions to pixels.
 

@@ -35,9 +35,22 @@ def curve_peaks(heading_deg, curve, separation_deg):
     """Indices of the curve's highest point and of further local maxima, at least `separation_deg` apart."""
     filled = np.where(np.isfinite(curve), curve, -np.inf)
     local = (filled >= np.roll(filled, 1)) & (filled >= np.roll(filled, -1)) & np.isfinite(curve)
-    order = np.flatnonzero(local)[np.argsort(-filled[local], kind="stable")]
+    tops = np.flatnonzero(local)
+    return [int(tops[index]) for index in distinct_headings(heading_deg[tops], filled[tops], separation_deg)]
+
+
+def distinct_headings(heading_deg, score, separation_deg):
+    """Indices of headings that differ by `separation_deg` or more, best first.
+
+    Parameters
+    ----------
+    heading_deg, score : (N,) arrays
+        In any order; equal scores keep theirs.
+    separation_deg : float
+        Across north as elsewhere [degrees].
+    """
     kept = []
-    for index in order:
+    for index in np.argsort(-np.asarray(score), kind="stable"):
         turn = np.abs((heading_deg[kept] - heading_deg[index] + 180) % 360 - 180) if kept else np.zeros(0)
         if (turn >= separation_deg).all():
             kept.append(int(index))

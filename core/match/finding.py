@@ -1,8 +1,11 @@
-"""What a fit knows about its own answers: the quantities that tell right from wrong, and each heading's spread."""
+"""The answers of a fit: what speaks for and against each of them, and how probable it is that they are right.
+
+`examine` gathers a `Finding`, the quantities that tell right answers from wrong ones; `judge` turns it into
+probabilities, by the calibration and by what is believed of the heading.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,6 +14,12 @@ from .geometry import horizon_rows
 from .posterior import answer_probabilities, p_correct, weigh
 from .refine import Objective
 from .search import CoarseResult
+
+LANDMARK_LIMIT = 3.0
+"""Standard deviations within which a landmark counts as met."""
+
+LANDMARK_PROBABILITY = 0.95
+"""Least p_correct of an answer that meets every landmark: a person's word, slips of the hand set aside."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,23 +62,51 @@ class Finding:
         return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
 
 
-def examine(objective, trials, score, scale, probability, position_error_m, floor_deg):
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """Distinct answers before they are judged.
+
+    Attributes
+    ----------
+    objective : Objective
+    coarse : CoarseResult
+    trials : (K, 5) array
+        See `geometry.PARAMETERS`; best first.
+    scale : (K,) array
+        Multiple of the expected tolerance at which each fits best.
+    finding : Finding
+    floor_deg : float
+        Smallest standard deviation that a heading is credited with [degrees].
+    """
+
+    objective: Objective
+    coarse: CoarseResult
+    trials: np.ndarray
+    scale: np.ndarray
+    finding: Finding
+    floor_deg: float
+
+    def reordered(self, order):
+        """The same answers, with another one first."""
+        trials, scale = self.trials[order], self.scale[order]
+        finding = examine(self.objective, trials, self.finding.score[order], scale, self.floor_deg)
+        return replace(self, trials=trials, scale=scale, finding=finding)
+
+
+def examine(objective, trials, score, scale, floor_deg):
     """Gather a `Finding` from distinct trials, best first.
 
     Parameters
     ----------
-    objective : match_refine.Objective
+    objective : refine.Objective
     trials : (K, 5) array
+        See `geometry.PARAMETERS`.
     score, scale : (K,) arrays
         `scale` is the multiple of the expected tolerance at which a trial fits best.
-    probability : (h, w) array
-        p(row | column).
-    position_error_m : float
-        Standard deviation of the position [m].
     floor_deg : float
         Smallest standard deviation that a heading is credited with [degrees].
     """
-    columns = objective.columns(1)
+    columns, probability = objective.columns(1), objective.stack.probability
     row, tolerance = objective.rows(trials[:1], columns)
     row, tolerance = row[0], tolerance[0]
     value = objective.stack.look_up(columns, row, tolerance * 1.5)
@@ -79,7 +116,7 @@ def examine(objective, trials, score, scale, probability, position_error_m, floo
     return Finding(
         trials[:, 0],
         score,
-        heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg),
+        heading_sigma_deg(objective, trials, scale, objective.position_error_m, floor_deg),
         float(np.degrees(relief_px(columns[inside], row[inside]) / objective.camera.focal_px)),
         float(np.mean(value > np.log(3.0))),
         float(np.median(miss)) if len(miss) else float(objective.stack.shape[0]),
@@ -95,6 +132,18 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     The inverse curvature of the score gives what the picture leaves open. Two errors shift the whole horizon and do
     not show in it: the DEM's, c cells, and the position's, both over the terrain's distance. A trial that fits best
     at a wider tolerance (`scale`) says that the DEM, or the lens, is so much worse here than expected.
+
+    Parameters
+    ----------
+    objective : refine.Objective
+    trials : (K, 5) array
+        See `geometry.PARAMETERS`.
+    scale : (K,) array
+        Multiple of the expected tolerance at which each trial fits best.
+    position_error_m : float
+        Standard deviation of the position [m].
+    floor_deg : float
+        Smallest standard deviation that a heading is credited with [degrees].
     """
     _, _, curvature = objective.expand(trials, 1.5 * scale)
     free = np.flatnonzero(objective.free)
@@ -119,43 +168,6 @@ def _sureness(probability, likeliest, reach_px=2):
     columns = np.arange(width)
     near = [probability[np.clip(likeliest + d, 0, height - 1), columns] for d in range(-reach_px, reach_px + 1)]
     return float(np.minimum(np.sum(near, axis=0), 1).mean()) if width else 0.0
-
-
-LANDMARK_LIMIT = 3.0
-"""Standard deviations within which a landmark counts as met."""
-
-LANDMARK_PROBABILITY = 0.95
-"""Least p_correct of an answer that meets every landmark: a person's word, slips of the hand set aside."""
-
-
-@dataclass(frozen=True, eq=False)
-class Answers:
-    """Distinct answers before they are judged.
-
-    Attributes
-    ----------
-    objective : Objective
-    coarse : CoarseResult
-    trials : (K, 5) array
-        See `match_geometry.PARAMETERS`; best first.
-    scale : (K,) array
-        Multiple of the expected tolerance at which each fits best.
-    finding : Finding
-    look : callable
-        Trials, best first, their scores and scales -> Finding.
-    """
-
-    objective: Objective
-    coarse: CoarseResult
-    trials: np.ndarray
-    scale: np.ndarray
-    finding: Finding
-    look: Callable
-
-    def reordered(self, order):
-        """The same answers, with another one first."""
-        trials, scale = self.trials[order], self.scale[order]
-        return replace(self, trials=trials, scale=scale, finding=self.look(trials, self.finding.score[order], scale))
 
 
 def judge(answers, heading_prior=None):

@@ -118,7 +118,25 @@ class Seen:
 
 
 def see(camera, trials, turn, tangent, slope=0.0, derivatives=False):
-    """Project points at `turn` radians right of the trials' headings and of `tangent` elevation."""
+    """Project points through trial cameras.
+
+    Parameters
+    ----------
+    camera : Camera
+        For its distortion.
+    trials : (K, 5) array
+        See `PARAMETERS`.
+    turn : (K, N) array
+        Azimuth right of the trials' headings [radians].
+    tangent, slope : array
+        Tangent of the points' elevation angles, and its change per radian of azimuth.
+    derivatives : bool
+        Whether to give those by heading and pitch as well.
+
+    Returns
+    -------
+    Seen
+    """
     pitch, roll = np.radians(trials[:, 1:2]), np.radians(trials[:, 2:3])
     cos_p, sin_p, cos_r, sin_r = np.cos(pitch), np.sin(pitch), np.cos(roll), np.sin(roll)
     sin_a, cos_a = np.sin(turn), np.cos(turn)

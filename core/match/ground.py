@@ -52,8 +52,8 @@ class GroundEvidence:
     Parameters
     ----------
     picture : (h, w, 3) float array
-        As `thumbnail.thumbnail` gives it.
-    view : ground_view.GroundView
+        As `core.base.imaging.thumbnail` gives it.
+    view : core.horizon.inner.GroundView
     options : GroundMatchOptions
     """
 
@@ -74,7 +74,7 @@ class GroundEvidence:
         camera : Camera
             Of the picture at any scale.
         trials : (K, 5) array
-            See `match_geometry.PARAMETERS`.
+            See `geometry.PARAMETERS`.
         """
         camera = camera.scaled(self._x.shape[1], self._x.shape[0])
         return self.options.weight * np.array([self._explained(camera, trial) for trial in trials])

@@ -13,13 +13,14 @@ class InnerEvidence:
 
     Parameters
     ----------
-    objective : match_refine.Objective
-    evidence : model.SkylineEvidence
-    inner : inner_terrain.InnerTerrain or None
-    options : match_robust.RobustOptions
+    objective : refine.Objective
+    inputs : inputs.MatchInputs
+        Its evidence and its inner terrain are used.
+    options : robust.RobustOptions
     """
 
-    def __init__(self, objective, evidence, inner, options):
+    def __init__(self, objective, inputs, options):
+        evidence, inner = inputs.evidence, inputs.inner
         self._objective = objective
         self._crests = self._ground = None
         if inner is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,10 +11,41 @@ from ..base.camera import Pose, project, unproject
 from ..base.messages import Message
 
 
+@dataclass(frozen=True)
+class Landmark:
+    """A pixel of the full upright picture whose direction from the eye is known.
+
+    Attributes
+    ----------
+    x_px, y_px : float
+    azimuth_deg, elevation_deg : float
+        True azimuth and elevation angle of the map point seen from the eye [degrees].
+    sigma_px : float
+        Precision of the click [pixels].
+    """
+
+    x_px: float
+    y_px: float
+    azimuth_deg: float
+    elevation_deg: float
+    sigma_px: float = 5.0
+
+
 def scale_landmarks(landmarks, full, reduced):
     """Move landmarks from the full picture's pixels to the reduced one's.
 
     Half a reduced pixel is added to their spread: the evidence knows nothing finer.
+
+    Parameters
+    ----------
+    landmarks : sequence of Landmark
+        In pixels of the full picture.
+    full, reduced : Camera
+        Of the two pictures.
+
+    Returns
+    -------
+    tuple of Landmark
     """
     factor_x, factor_y = reduced.width_px / full.width_px, reduced.height_px / full.height_px
     return tuple(
@@ -42,7 +73,17 @@ def starting_pose(camera, landmark):
 
 
 def landmark_notes(landmarks, camera, pose):
-    """One sentence per landmark: by how much the found camera misses it [pixels of the full picture]."""
+    """One sentence per landmark: by how much the found camera misses it [pixels of the full picture].
+
+    Parameters
+    ----------
+    landmarks : sequence of Landmark
+        In pixels of the full picture.
+    camera : Camera
+        As found, of the full picture.
+    pose : Pose
+        As found.
+    """
     notes = []
     for number, mark in enumerate(landmarks, 1):
         x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)

@@ -28,7 +28,7 @@ INFORMATIVE = 1.5
 
 
 @dataclass(frozen=True)
-class EvidenceOptions:
+class LikelihoodOptions:
     """How evidence becomes a score.
 
     Attributes
@@ -68,12 +68,14 @@ class EvidenceStack:
     ----------
     probability : (h, w) array
         p(row | column), as `model.SkylineEvidence` has it.
-    options : EvidenceOptions
+    options : LikelihoodOptions
     leaves_frame : (w,) array or None
         Probability that the ridge leaves the frame.
 
     Attributes
     ----------
+    probability : (h, w) float32 array
+        As given.
     above_frame : (w,) array
         B of a horizon above the picture.
     shape : tuple
@@ -82,7 +84,7 @@ class EvidenceStack:
         Columns that say anything at all about the skyline; all of them where none does.
     """
 
-    def __init__(self, probability, options=EvidenceOptions(), leaves_frame=None):  # noqa: B008 - frozen
+    def __init__(self, probability, options=LikelihoodOptions(), leaves_frame=None):  # noqa: B008 - frozen
         self.options = options
         self.shape = probability.shape
         leaves = np.zeros(self.shape[1]) if leaves_frame is None else np.asarray(leaves_frame, float)
@@ -90,7 +92,7 @@ class EvidenceStack:
         odds = (1 - options.outlier_share) / options.outlier_share
         self.above_frame = np.log(odds * self._leaving + 1 - leaves)
         self.tolerance_px = np.geomspace(options.finest_px, options.coarsest_px, options.levels)
-        self._probability = np.asarray(probability, np.float32)
+        self.probability = np.asarray(probability, np.float32)
         telling = self.informative_columns(probability, self._leaving)
         self.informative = telling if len(telling) else np.arange(self.shape[1])
         self._table = self._blurred(self.tolerance_px)
@@ -143,7 +145,7 @@ class EvidenceStack:
         """B for each tolerance, (tolerances, h, w): Gaussians along the columns in the frequency domain."""
         height, share = self.shape[0], self.options.outlier_share
         size = fft.next_fast_len(int(height + 4 * np.max(tolerance_px)), real=True)
-        spectrum = fft.rfft(self._probability, n=size, axis=0)
+        spectrum = fft.rfft(self.probability, n=size, axis=0)
         frequency = 2 * np.pi * np.arange(spectrum.shape[0]) / size
         table = np.empty((len(tolerance_px), *self.shape), np.float32)
         leaves = self._leaving * np.float32(self.options.leaving_share)

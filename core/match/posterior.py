@@ -1,4 +1,8 @@
-"""From scores to an answer that says how sure it is: probabilities, interval, status, advice."""
+"""From scores to an answer that says how sure it is: probabilities, interval, status, advice.
+
+The probability of the best answer is a logistic regression on what speaks for and against it. Its weights, means and
+spreads stand in `calibration.json`, which `tools/fit_calibration.py` fits on simulated photographs.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +16,10 @@ import numpy as np
 from ..base.angles import difference, wrap_360
 from ..base.messages import Message
 from .prior import log_ratio
+
+TABLE_PATH = Path(__file__).with_name("calibration.json")
+LARGEST_STANDARD = 3.0
+"""Features are cut at this many standard deviations: beyond what the table has seen nothing becomes surer."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +39,47 @@ class PosteriorOptions:
     accept_at: float = 0.85
     reject_below: float = 0.1
     min_relief_deg: float = 0.1
+
+
+@lru_cache(maxsize=1)
+def table():
+    """The shipped table as plain values."""
+    return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
+
+
+def features(finding):
+    """What tells right answers from wrong ones, by name."""
+    top = max(float(finding.score[0]), 1e-3)
+    return {
+        "relative_gap": min(max(finding.gap, 0.0) / top, 0.5),
+        "score": top,
+        "explained": finding.explained,
+        "log_relief": float(np.log(max(finding.relief_deg, 0.02))),
+        "log_misfit": float(np.log(max(finding.residual_px, 0.2) / max(finding.terrain_px, 0.2))),
+        "sureness": finding.sureness,
+        "log_hfov": float(np.log(finding.hfov_deg)),
+    }
+
+
+def p_correct(finding, calibration=None):
+    """Probability that the best answer is within 3 degrees of the truth.
+
+    The regression's word, but never more than the best answer's share of the likelihood among all answers: whatever
+    else speaks for a fit, of two equal ones each is right half the time.
+    """
+    calibration = calibration or table()
+    values = features(finding)
+    total = calibration["bias"]
+    for name, entry in calibration["features"].items():
+        standard = (values[name] - entry["mean"]) / entry["spread"]
+        total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
+    return float(min(1 / (1 + np.exp(-total)), likelihood_share(finding.score, calibration["temperature"])))
+
+
+def likelihood_share(score, temperature):
+    """Share of the first of some scores in the sum of their likelihoods exp(temperature * score)."""
+    score = np.asarray(score, float)
+    return float(1 / np.exp(temperature * (score - score[0])).sum())
 
 
 def answer_probabilities(finding, best_probability):
@@ -60,6 +109,17 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
 
     The posterior is a Gaussian at each answer with its probability, and a uniform remainder.
 
+    Parameters
+    ----------
+    finding : finding.Finding
+        For headings and their spreads.
+    probability : (k,) array
+        Of the first k answers; what is missing to 1 is the remainder.
+    mass : float
+        Probability that the arc holds.
+    step_deg : float
+        Resolution of the circle [degrees].
+
     Returns
     -------
     lo_deg, hi_deg : float
@@ -84,7 +144,17 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
 
 
 def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=False):
-    """Status and the `Message` that says why and what to do."""
+    """Status and the `Message` that says why and what to do.
+
+    Parameters
+    ----------
+    finding : finding.Finding
+    probability : (K,) array
+        Of the answers, best first.
+    options : PosteriorOptions
+    has_landmarks : bool
+        Whether landmarks hold the answer where the horizon is too flat to do so.
+    """
     best = probability[0]
     if finding.relief_deg < options.min_relief_deg and not has_landmarks:
         return "rejected", Message(
@@ -109,49 +179,3 @@ def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=Fals
     return "ambiguous", Message(
         "The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."
     )
-
-
-TABLE_PATH = Path(__file__).with_name("calibration.json")
-LARGEST_STANDARD = 3.0
-"""Features are cut at this many standard deviations: beyond what the table has seen nothing becomes surer."""
-
-
-def features(finding):
-    """What tells right answers from wrong ones, by name."""
-    top = max(float(finding.score[0]), 1e-3)
-    return {
-        "relative_gap": min(max(finding.gap, 0.0) / top, 0.5),
-        "score": top,
-        "explained": finding.explained,
-        "log_relief": float(np.log(max(finding.relief_deg, 0.02))),
-        "log_misfit": float(np.log(max(finding.residual_px, 0.2) / max(finding.terrain_px, 0.2))),
-        "sureness": finding.sureness,
-        "log_hfov": float(np.log(finding.hfov_deg)),
-    }
-
-
-@lru_cache(maxsize=1)
-def table():
-    """The shipped table as plain values."""
-    return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
-
-
-def p_correct(finding, calibration=None):
-    """Probability that the best answer is within 3 degrees of the truth.
-
-    The regression's word, but never more than the best answer's share of the likelihood among all answers: whatever
-    else speaks for a fit, of two equal ones each is right half the time.
-    """
-    calibration = calibration or table()
-    values = features(finding)
-    total = calibration["bias"]
-    for name, entry in calibration["features"].items():
-        standard = (values[name] - entry["mean"]) / entry["spread"]
-        total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
-    return float(min(1 / (1 + np.exp(-total)), likelihood_share(finding.score, calibration["temperature"])))
-
-
-def likelihood_share(score, temperature):
-    """Share of the first of some scores in the sum of their likelihoods exp(temperature * score)."""
-    score = np.asarray(score, float)
-    return float(1 / np.exp(temperature * (score - score[0])).sum())

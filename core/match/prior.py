@@ -1,4 +1,4 @@
-"""What is believed before the fit: about the lens, the heading, and single pixels of the picture."""
+"""What is believed before the fit: about the position, the lens and the heading, the compass's reading included."""
 
 from __future__ import annotations
 
@@ -11,6 +11,22 @@ from ..base.camera import FOCAL_SIGMA, Camera
 
 TYPICAL_POSITION_ERROR_M = 8.0
 """Standard deviation of a phone's GPS under open sky."""
+
+
+@dataclass(frozen=True)
+class CameraPrior:
+    """What is known of the lens before the fit.
+
+    Attributes
+    ----------
+    camera : Camera
+        Of the full upright picture.
+    focal_sigma : float
+        Relative standard deviation of the focal length.
+    """
+
+    camera: Camera
+    focal_sigma: float = FOCAL_SIGMA
 
 
 @dataclass(frozen=True)
@@ -33,42 +49,6 @@ class HeadingPrior:
     sigma_deg: float
     outlier_share: float = 0.1
     faults: tuple = ()
-
-
-@dataclass(frozen=True)
-class Landmark:
-    """A pixel of the full upright picture whose direction from the eye is known.
-
-    Attributes
-    ----------
-    x_px, y_px : float
-    azimuth_deg, elevation_deg : float
-        True azimuth and elevation angle of the map point seen from the eye [degrees].
-    sigma_px : float
-        Precision of the click [pixels].
-    """
-
-    x_px: float
-    y_px: float
-    azimuth_deg: float
-    elevation_deg: float
-    sigma_px: float = 5.0
-
-
-@dataclass(frozen=True)
-class CameraPrior:
-    """What is known of the lens before the fit.
-
-    Attributes
-    ----------
-    camera : Camera
-        Of the full upright picture.
-    focal_sigma : float
-        Relative standard deviation of the focal length.
-    """
-
-    camera: Camera
-    focal_sigma: float = FOCAL_SIGMA
 
 
 def log_ratio(prior, heading_deg):

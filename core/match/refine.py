@@ -19,7 +19,7 @@ from ..base.progress import SILENT, checkpoint
 from .geometry import horizon_rows, project_trials
 
 LANDMARK_PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
-"""Steps of the numerical derivatives of landmarks, in the order of `match_geometry.PARAMETERS`."""
+"""Steps of the numerical derivatives of landmarks, in the order of `geometry.PARAMETERS`."""
 
 CLIPPED_FACTOR = 2.0
 """Tolerance of the horizon where the DEM ends too early or has voids, against elsewhere."""
@@ -47,6 +47,8 @@ class RefineOptions:
         Spreads of the Gaussian priors; 0 holds k1 at the camera's own value.
     ground_slope : float
         Rise of the ground per metre, by which a displaced eye sees a crest higher or lower.
+    iterations : int
+        Steps of a fit at one tolerance, at most.
     """
 
     terrain_error_cells: float = 0.25
@@ -56,6 +58,7 @@ class RefineOptions:
     roll_sigma_deg: float = 3.0
     k1_sigma: float = 0.0
     ground_slope: float = 0.5
+    iterations: int = 8
 
     def __post_init__(self):
         if not (self.terrain_error_cells > 0 and self.pixel_error_px > 0 and self.effective_columns > 0):
@@ -70,22 +73,21 @@ class Objective:
     Parameters
     ----------
     stack : EvidenceStack
-    camera : Camera
-        Prior camera of the reduced picture.
+    prior : prior.CameraPrior
+        Camera of the reduced picture and the relative spread of its focal length.
     curve : HorizonCurve
-    focal_sigma : float
-        Relative spread of the prior on the focal length.
     options : RefineOptions
-    landmarks : sequence of prior.Landmark, optional
+    landmarks : sequence of landmarks.Landmark, optional
         In pixels of the reduced picture.
     position_error_m : float
         Standard deviation of the eye's position [m].
     """
 
-    def __init__(self, stack, camera, curve, focal_sigma, options=RefineOptions(), landmarks=(), position_error_m=0.0):
-        self.stack, self.camera, self.curve = stack, camera, curve
+    def __init__(self, stack, prior, curve, options=RefineOptions(), landmarks=(), position_error_m=0.0):  # noqa: B008
+        self.stack, self.camera, self.curve = stack, prior.camera, curve
         self.options, self.landmarks = options, tuple(landmarks)
-        self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, focal_sigma, options.k1_sigma])
+        self.position_error_m = position_error_m
+        self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, prior.focal_sigma, options.k1_sigma])
         self.free = self.sigma > 0
         self._eye_error_m = options.ground_slope * position_error_m
         place = [(m.azimuth_deg, m.elevation_deg, m.x_px, m.y_px, m.sigma_px) for m in self.landmarks]
@@ -96,7 +98,21 @@ class Objective:
         return self.stack.informative[stride // 2 :: stride]
 
     def rows(self, trials, columns, scale=1.0):
-        """Rows of the horizon and their tolerance at `scale` (a number or (K,)): two (K, C) arrays [pixels]."""
+        """Rows of the horizon and their tolerances.
+
+        Parameters
+        ----------
+        trials : (K, 5) array
+            See `geometry.PARAMETERS`.
+        columns : (C,) int array
+        scale : float or (K,) array
+            k above: multiple of the expected tolerance.
+
+        Returns
+        -------
+        row_px, tolerance_px : (K, C) arrays
+            [pixels of the reduced picture]; rows are NaN where the horizon is unknown or not in the column.
+        """
         row, azimuth, _ = horizon_rows(self.curve, self.camera, trials, columns)
         return self._known_rows(trials, row, azimuth, scale)
 
@@ -110,14 +126,41 @@ class Objective:
         return row, np.hypot(scaled, self._eye_error_m * px_per_metre)
 
     def score(self, trials, scale, stride=1):
-        """Penalised scores (K,) of (K, 5) trials; `scale` is a number or (K,)."""
+        """Penalised scores of trials.
+
+        Parameters
+        ----------
+        trials : (K, 5) array
+            See `geometry.PARAMETERS`.
+        scale : float or (K,) array
+            k above: multiple of the expected tolerance.
+        stride : int
+            Every so many columns are looked at.
+
+        Returns
+        -------
+        (K,) array
+        """
         columns = self.columns(stride)
         row, tolerance = self.rows(trials, columns, scale)
         value = self.stack.look_up(columns, row, tolerance)
         return value.mean(axis=1) - self._penalty(trials)
 
     def expand(self, trials, scale, stride=1):
-        """Score (K,), its gradient (K, 5) and a positive curvature (K, 5, 5) of (K, 5) trials."""
+        """Penalised scores of trials, with their derivatives.
+
+        Parameters
+        ----------
+        trials, scale, stride
+            As `score` takes them.
+
+        Returns
+        -------
+        score : (K,) array
+        gradient : (K, 5) array
+        curvature : (K, 5, 5) array
+            Positive.
+        """
         columns = self.columns(stride)
         row, azimuth, jacobian = horizon_rows(self.curve, self.camera, trials, columns, derivatives=True)
         row, tolerance = self._known_rows(trials, row, azimuth, scale)
@@ -173,10 +216,21 @@ class Objective:
         return np.einsum("km,kmj->kj", miss, jacobian), np.einsum("kmi,kmj->kij", jacobian, jacobian)
 
 
-def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT, held=()):
+def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
     """Climb from every trial to a maximum of its score at one tolerance scale.
 
-    Parameters `held`, as columns of `match_geometry.PARAMETERS`, stay as they are.
+    Parameters
+    ----------
+    objective : Objective
+    trials : (K, 5) array
+        See `geometry.PARAMETERS`; the given array stays as it is.
+    scale : float or (K,) array
+        Multiple of the expected tolerance.
+    stride : int
+        Every so many columns are looked at.
+    held : sequence of int
+        Columns of `geometry.PARAMETERS` that stay as they are.
+    progress : Progress
 
     Returns
     -------
@@ -188,6 +242,7 @@ def refine(objective, trials, scale, stride=1, iterations=8, progress=SILENT, he
     # The curvature counts every explained column in full and is about twice too stiff: start below it.
     stiffness = np.full(len(trials), 0.5)
     free = np.setdiff1d(np.flatnonzero(objective.free), held)
+    iterations = objective.options.iterations
     for iteration in range(iterations):
         checkpoint(progress, iteration / iterations)
         moved = trials + _bounded(_newton(gradient, curvature * stiffness[:, None, None], free))
@@ -218,13 +273,3 @@ def _bounded(move):
     limit = np.array([1.5, 1.5, 2.0, 0.02, 0.05])
     excess = np.max(np.abs(move) / limit, axis=1, keepdims=True)
     return move / np.maximum(excess, 1.0)
-
-
-def distinct(heading_deg, score, separation_deg):
-    """Indices of trials whose headings differ by `separation_deg` or more, best first."""
-    kept = []
-    for index in np.argsort(-np.asarray(score), kind="stable"):
-        turn = np.abs((heading_deg[kept] - heading_deg[index] + 180) % 360 - 180) if kept else np.zeros(0)
-        if (turn >= separation_deg).all():
-            kept.append(int(index))
-    return kept

@@ -1,9 +1,12 @@
-"""Second evidence: do the crests that the DEM shows inside the terrain lie on lines of the picture?
+"""Do the crests that the DEM shows inside the terrain lie on lines of the picture?
 
-At the right pose an inner crest falls on a row where the picture's edge is stronger than at most rows nearby; at a
-wrong pose on any row. The rank of the edge among the rows of its own neighbourhood is free of units, contrast and
-texture, and it is uniform where there is nothing to see. Measured means: 0.60 at right poses, 0.48 at wrong ones, on
-real and on rendered photographs alike.
+As second evidence (`RidgeEvidence`): at the right pose an inner crest falls on a row where the picture's edge is
+stronger than at most rows nearby; at a wrong pose on any row. The rank of the edge among the rows of its own
+neighbourhood is free of units, contrast and texture, and it is uniform where there is nothing to see. Measured means:
+0.60 at right poses, 0.48 at wrong ones, on real and on rendered photographs alike.
+
+To tell a near crest from the skyline (`crest_share`): where the line that stands out most is a near crest, and the
+skyline the fainter one behind it, the DEM has a crest along the striking line.
 """
 
 from __future__ import annotations
@@ -15,6 +18,12 @@ import numpy as np
 from ..base import imaging
 from .geometry import project_trials
 from .likelihood import EDGE_ROW
+
+BEHIND_SHARE = 0.6
+"""Least `crest_share` at which the line behind is matched; wrong headings reach 0.4, mostly 0.1."""
+
+CREST_REACH_PX = 4
+"""Crest and line may lie this far apart [pixels of the reduced picture]."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +61,7 @@ class RidgeEvidence:
     ----------
     ridge_score : (h, w) array
         Strength of the picture's edges.
-    edges : ridges.RidgeEdges
+    edges : core.horizon.ridges.RidgeEdges
     cell_m : float
         Ground size of the DEM's cells [m].
     terrain_error_cells : float
@@ -78,6 +87,7 @@ class RidgeEvidence:
         camera : Camera
             Of the reduced picture.
         trials : (K, 5) array
+            See `geometry.PARAMETERS`.
         horizon_row_px : (K, w) array
             Rows of the horizon in every column of the picture, NaN where it is out of sight.
         """
@@ -128,6 +138,15 @@ class RidgeEvidence:
 def local_rank(strength, window_px, span_px):
     """Share of the rows within `span_px` of a pixel whose edges, strongest in `window_px`, are weaker than its own.
 
+    Parameters
+    ----------
+    strength : (h, w) array
+        Of the picture's edges.
+    window_px : int
+        Height within which the strongest edge counts.
+    span_px : int
+        Half the neighbourhood.
+
     Returns
     -------
     (h, w) float32 array
@@ -146,28 +165,21 @@ def local_rank(strength, window_px, span_px):
     return weaker / np.maximum(compared, 1)
 
 
-LEAST_SHARE = 0.6
-"""Share of the columns in which a crest must lie on the striking line; wrong headings reach 0.4, mostly 0.1."""
-
-REACH_PX = 4
-"""Crest and line may lie this far apart [pixels of the reduced picture]."""
-
-
 def crest_share(objective, trial, evidence, edges):
     """Share of the columns with a fainter line above in which a crest of the DEM lies on the striking one.
 
     Parameters
     ----------
-    objective : match_refine.Objective
+    objective : refine.Objective
         For its camera.
     trial : (5,) array
-        Of the match with `evidence.rival`.
+        See `geometry.PARAMETERS`; of the match with `evidence.rival`.
     evidence : model.SkylineEvidence
         With a rival.
-    edges : ridges.RidgeEdges
+    edges : core.horizon.ridges.RidgeEdges
     """
     line = np.asarray(evidence.best.row_px, float) - EDGE_ROW
-    doubled = np.abs(np.asarray(evidence.rival.best.row_px, float) - EDGE_ROW - line) > REACH_PX
+    doubled = np.abs(np.asarray(evidence.rival.best.row_px, float) - EDGE_ROW - line) > CREST_REACH_PX
     if not doubled.any():
         return 0.0
     x, y = (value[0] for value in project_trials(objective.camera, trial, edges.azimuth_deg, edges.elevation_deg))
@@ -175,7 +187,7 @@ def crest_share(objective, trial, evidence, edges):
         shown = (x > -0.5) & (x < len(line) - 0.5)
     column = np.rint(x[shown]).astype(int)
     met = np.zeros(len(line))
-    met[column[np.abs(y[shown] - line[column]) <= REACH_PX]] = 1
+    met[column[np.abs(y[shown] - line[column]) <= CREST_REACH_PX]] = 1
     # Crests are points, about as dense as the columns: a neighbour's serves too.
     met = np.convolve(met, np.ones(3), "same") > 0
     return float(met[doubled].mean())

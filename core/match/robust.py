@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from ..base.angles import wrap_360
-from ..base.curves import correlation, sharpness
+from ..base.curves import correlation, distinct_headings, sharpness
 from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
@@ -20,17 +20,16 @@ from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .ground import GroundMatchOptions
 from .inner import InnerEvidence
 from .landmarks import landmark_notes, scale_landmarks, starting_pose
-from .likelihood import EDGE_ROW, EvidenceOptions, EvidenceStack
+from .likelihood import EDGE_ROW, EvidenceStack, LikelihoodOptions
 from .posterior import PosteriorOptions, interval, table, verdict
-from .prior import TYPICAL_POSITION_ERROR_M, log_ratio
-from .refine import Objective, RefineOptions, distinct, refine
-from .ridges import LEAST_SHARE, RidgeMatchOptions, crest_share
+from .prior import log_ratio
+from .refine import Objective, RefineOptions, refine
+from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
 from .turn import TurnOptions, turn
 
 LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
-
 
 BEHIND_NOTE = Message(
     "The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline."
@@ -43,7 +42,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    evidence, search, refine, ridges, ground, turn, posterior : options of the stages
+    likelihood, search, refine, ridges, ground, turn, posterior : options of the stages
     short_scales : tuple of float
         Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then finer and finer,
         since at a wide tolerance a wrong answer scores like a right one, and near terrain like none at all.
@@ -55,7 +54,7 @@ class RobustOptions:
         Smallest standard deviation that a heading is credited with.
     """
 
-    evidence: EvidenceOptions = field(default_factory=EvidenceOptions)
+    likelihood: LikelihoodOptions = field(default_factory=LikelihoodOptions)
     search: SearchOptions = field(default_factory=SearchOptions)
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
@@ -68,32 +67,14 @@ class RobustOptions:
     heading_floor_deg: float = 0.1
 
 
-def match_robust(
-    evidence,
-    camera_prior,
-    horizon,
-    options=RobustOptions(),
-    heading_prior=None,
-    landmarks=(),
-    position_error_m=TYPICAL_POSITION_ERROR_M,
-    inner=None,
-    progress=SILENT,
-):
+def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
     """Find where a photograph looks, and say how sure that is.
 
     Parameters
     ----------
-    evidence : model.SkylineEvidence
-    camera_prior : prior.CameraPrior
-        Lens of the full upright picture.
-    horizon : model.HorizonProfile
+    inputs : MatchInputs
+        What is known of the photograph.
     options : RobustOptions
-    heading_prior : prior.HeadingPrior or None
-    landmarks : sequence of prior.Landmark
-    position_error_m : float
-        Standard deviation of the observer's position [m].
-    inner : inner_terrain.InnerTerrain or None
-        Crests and ground below the horizon, for second evidence.
     progress : Progress
 
     Returns
@@ -102,18 +83,16 @@ def match_robust(
         Candidates are distinct answers, best first; headings clockwise from true north, pitch + upwards, roll +
         with the right side down.
     """
-    refusal = _refusal(evidence, horizon, landmarks)
+    landmarks, full = inputs.landmarks, inputs.camera_prior.camera
+    refusal = _refusal(inputs.evidence, inputs.horizon, landmarks)
     if refusal:
         return Orientation("rejected", refusal)
-    known = camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner
-    found, behind = _look(evidence, known, progress)
-    if behind:
-        evidence = evidence.rival
+    found, behind = _look(inputs, options, progress)
+    evidence = inputs.evidence.rival if behind else inputs.evidence
     answers, probability, status = found.answers, found.probability, found.status
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
     # Of an accepted answer the interval tells how exact it is; how sure it is, p_correct tells.
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
-    full = camera_prior.camera
     candidates = tuple(
         Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
         for trial, value, share in zip(trials, score, probability)
@@ -150,27 +129,24 @@ class Judged:
     message: Message
 
 
-def _look(evidence, known, progress):
-    """Judged answers, and whether they are those to the evidence's rival; `known` as `match_robust` takes it."""
-    inner = known[-1]
-    if evidence.rival is None or inner is None:
-        return _judged(evidence, *known, progress), False
-    found = _judged(evidence, *known, subtask(progress, 0.0, 0.6))
+def _look(inputs, options, progress):
+    """Judged answers, and whether they are those to the evidence's rival."""
+    if inputs.evidence.rival is None or inputs.inner is None:
+        return _judged(inputs, options, progress), False
+    found = _judged(inputs, options, subtask(progress, 0.0, 0.6))
     if found.status == "accepted":
         return found, False
-    behind = _judged(evidence.rival, *known, subtask(progress, 0.6, 1.0))
-    share = crest_share(behind.answers.objective, behind.answers.trials[0], evidence, inner.ridges)
-    if share < LEAST_SHARE or behind.probability[0] <= found.probability[0]:
+    behind = _judged(inputs.behind, options, subtask(progress, 0.6, 1.0))
+    share = crest_share(behind.answers.objective, behind.answers.trials[0], inputs.evidence, inputs.inner.ridges)
+    if share < BEHIND_SHARE or behind.probability[0] <= found.probability[0]:
         return found, False
     return behind, True
 
 
-def _judged(evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress):
-    answers = find_answers(
-        evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress
-    )
-    answers, probability = judge(answers, heading_prior)
-    return Judged(answers, probability, *verdict(answers.finding, probability, options.posterior, bool(landmarks)))
+def _judged(inputs, options, progress):
+    answers, probability = judge(find_answers(inputs, options, progress), inputs.heading_prior)
+    says = verdict(answers.finding, probability, options.posterior, bool(inputs.landmarks))
+    return Judged(answers, probability, *says)
 
 
 def _edge_notes(answers):
@@ -202,44 +178,40 @@ def _refusal(evidence, horizon, landmarks):
     return None
 
 
-def find_answers(
-    evidence, camera_prior, horizon, options, heading_prior, landmarks, position_error_m, inner, progress=SILENT
-):
-    """Search and fit, without judging: what `match_robust` and the calibration share; see there."""
-    height, width = evidence.probability.shape
-    camera = camera_prior.camera.scaled(width, height)
-    curve = HorizonCurve(horizon)
-    stack = EvidenceStack(evidence.probability, options.evidence, evidence.leaves_frame)
-    marks = scale_landmarks(landmarks, camera_prior.camera, camera)
-    objective = Objective(stack, camera, curve, camera_prior.focal_sigma, options.refine, marks, position_error_m)
-    coarse = coarse_search(
-        stack,
-        camera,
-        curve,
-        evidence.probability,
-        options.search.for_picture(camera.hfov_deg, _skyline_relief_deg(evidence, stack, camera)),
-        subtask(progress, 0.0, 0.4),
-        partial(_belief, heading_prior),
-    )
-    starts = [starting_pose(camera, mark) for mark in marks]
+def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
+    """Search and fit without judging: what `match_robust` and the calibration share.
+
+    Parameters
+    ----------
+    inputs : MatchInputs
+        What is known of the photograph.
+    options : RobustOptions
+    progress : Progress
+
+    Returns
+    -------
+    Answers
+    """
+    evidence, prior, curve = inputs.evidence, inputs.reduced_prior, HorizonCurve(inputs.horizon)
+    stack = EvidenceStack(evidence.probability, options.likelihood, evidence.leaves_frame)
+    marks = scale_landmarks(inputs.landmarks, inputs.camera_prior.camera, prior.camera)
+    objective = Objective(stack, prior, curve, options.refine, marks, inputs.position_error_m)
+    grid = options.search.for_picture(prior.camera.hfov_deg, _skyline_relief_deg(stack, prior.camera))
+    belief = partial(_belief, inputs.heading_prior)
+    coarse = coarse_search(stack, prior.camera, curve, grid, belief, subtask(progress, 0.0, 0.4))
+    starts = [starting_pose(prior.camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     starts = np.concatenate([starts, coarse.candidates])
-    second = InnerEvidence(objective, evidence, inner, options)
-    trials, score, scale = _fit(objective, starts, second, heading_prior, options, subtask(progress, 0.4, 1.0))
-    look = partial(
-        examine,
-        objective,
-        probability=evidence.probability,
-        position_error_m=position_error_m,
-        floor_deg=options.heading_floor_deg,
-    )
-    return Answers(objective, coarse, trials, scale, look(trials, score, scale), look)
+    second = InnerEvidence(objective, inputs, options)
+    trials, score, scale = _fit(objective, starts, second, belief, options, subtask(progress, 0.4, 1.0))
+    finding = examine(objective, trials, score, scale, options.heading_floor_deg)
+    return Answers(objective, coarse, trials, scale, finding, options.heading_floor_deg)
 
 
-def _skyline_relief_deg(evidence, stack, camera):
+def _skyline_relief_deg(stack, camera):
     """Spread of the likeliest rows about a straight line [degrees]: what the search has to tell headings apart."""
     columns = stack.informative
-    spread_px = relief_px(columns, evidence.probability[:, columns].argmax(axis=0))
+    spread_px = relief_px(columns, stack.probability[:, columns].argmax(axis=0))
     return float(np.degrees(spread_px / camera.focal_px))
 
 
@@ -248,7 +220,7 @@ def _belief(heading_prior, heading_deg):
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
 
 
-def _fit(objective, starts, second, heading_prior, options, progress):
+def _fit(objective, starts, second, belief, options, progress):
     """Short fits of all candidates, full fits of the best distinct ones.
 
     Gives distinct trials, their scores and their scales of tolerance, best first. The belief in a heading helps to
@@ -256,8 +228,8 @@ def _fit(objective, starts, second, heading_prior, options, progress):
     """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score, _ = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
-    score = score + second.score(trials) + _belief(heading_prior, trials[:, 0])
-    kept = distinct(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
+    score = score + second.score(trials) + belief(trials[:, 0])
+    kept = distinct_headings(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
     # Each from where the short fit left it: at a wide tolerance an answer may drift from a place that is already right.
     part = subtask(progress, 0.5, 1.0)
@@ -266,7 +238,7 @@ def _fit(objective, starts, second, heading_prior, options, progress):
     first = int(best_score.argmax())
     if second and options.turn.reach_deg > 0:
         best[first], best_score[first] = turn(objective, second, best[first], scale[first], options.turn)
-    kept = distinct(best[:, 0], best_score, options.same_answer_deg)
+    kept = distinct_headings(best[:, 0], best_score, options.same_answer_deg)
     best[:, 0] = wrap_360(best[:, 0])
     return best[kept], best_score[kept], scale[kept]
 

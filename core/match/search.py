@@ -98,20 +98,40 @@ class CoarseResult:
     candidates: np.ndarray
 
 
-def coarse_search(stack, camera, curve, probability, options=SearchOptions(), progress=SILENT, belief=None):
+@dataclass(frozen=True, eq=False)
+class DrawnHorizon:
+    """The horizon as a line in the azimuth-elevation raster, ready to be correlated with.
+
+    Attributes
+    ----------
+    spectrum : (rows, N // 2 + 1) complex array
+        Fourier transform of the raster's rows along the azimuth.
+    held_rows : tuple of int
+        First and last row that holds any of the line.
+    step_deg : float
+        Of the raster in azimuth and elevation.
+    """
+
+    spectrum: np.ndarray
+    held_rows: tuple
+    step_deg: float
+
+
+def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, progress=SILENT):  # noqa: B008 - frozen
     """Score all headings and pitches.
 
     Parameters
     ----------
     stack : EvidenceStack
+        Its probabilities also tell which pitches are worth trying.
     camera : Camera
         Of the reduced picture.
     curve : HorizonCurve
-    probability : (h, w) array
-        p(row | column): tells which pitches are worth trying.
+    options : SearchOptions
     belief : callable or None
         Headings (N,) [degrees] -> what is added to their scores when the candidates are chosen; the curve keeps what
         the picture alone says.
+    progress : Progress
 
     Returns
     -------
@@ -122,18 +142,18 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
     heading = np.arange(count) * step
     elevation = curve.elevation_at(heading)
     line = _drawn_line(elevation, step, curve.known[curve.nearest(heading)])
-    drawn, held = fft.rfft(line, axis=1), _rows_held(line)
+    drawn = DrawnHorizon(fft.rfft(line, axis=1), _rows_held(line), step)
     evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
     # One more row, which stands for all that is above the picture.
     evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
-    pitches = _trial_pitches(probability, camera, elevation, options.pitch_step_deg)
+    pitches = _trial_pitches(stack.probability, camera, elevation, options.pitch_step_deg)
     rolls = options.rolls_deg(camera.hfov_deg)
     best = np.full(count, -np.inf)
     best_pitch, best_roll = np.zeros(count), np.zeros(count)
     for index, pitch in enumerate(pitches):
         checkpoint(progress, index / len(pitches))
         for roll in rolls:
-            scores, shifts = _correlate(evidence, camera, pitch, roll, drawn, held, step, options.pitch_step_deg)
+            scores, shifts = _correlate(evidence, camera, Pose(0.0, pitch, roll), drawn, options.pitch_step_deg)
             winner = scores.argmax(axis=0)
             top = scores[winner, np.arange(count)]
             better = top > best
@@ -147,7 +167,17 @@ def coarse_search(stack, camera, curve, probability, options=SearchOptions(), pr
 
 
 def distinct_peaks(heading_deg, score, keep, separation_deg):
-    """Indices of the best headings on a regular circle, at least `separation_deg` apart, best first."""
+    """Indices of the best headings on a regular circle, best first.
+
+    Parameters
+    ----------
+    heading_deg, score : (N,) arrays
+        The circle in equal steps; scores of -inf are never chosen.
+    keep : int
+        As many at most.
+    separation_deg : float
+        At least so far apart, across north as elsewhere [degrees].
+    """
     remaining = np.array(score, float)
     step = 360.0 / len(remaining)
     reach = int(np.ceil(separation_deg / step)) - 1
@@ -195,27 +225,28 @@ def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
     return np.clip(low + (np.arange(count) + 0.5) * (high - low) / count, -60.0, 60.0)
 
 
-def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, held, step, pitch_step_deg):
+def _correlate(evidence, camera, trial, drawn, pitch_step_deg):
     """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
 
-    The first row of `evidence` stands for all that is above the picture.
+    The first row of `evidence` stands for all that is above the picture; the trial is a `Pose` of heading 0.
     """
+    step, held = drawn.step_deg, drawn.held_rows
     height, width = evidence.shape[0] - 1, evidence.shape[1]
     half_diagonal = np.degrees(np.arctan(np.hypot(width, height) / 2 / camera.focal_px))
     reach = int(np.ceil((half_diagonal + 1) / step))
     offset = np.arange(-reach, reach + 1) * step
-    rows, count = drawn.shape[0], (drawn.shape[1] - 1) * 2
+    rows, count = drawn.spectrum.shape[0], (drawn.spectrum.shape[1] - 1) * 2
     half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
     low = ELEVATION_RANGE_DEG[0]
     half = int(np.ceil(pitch_step_deg / 2 / step))
     shifts = np.arange(-half, half + 1)
-    first = max(int(np.floor((pitch_deg - half_height - 4 - low) / step)), held[0] - half)
-    last = min(int(np.ceil((pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), held[1] + half)
+    first = max(int(np.floor((trial.pitch_deg - half_height - 4 - low) / step)), held[0] - half)
+    last = min(int(np.ceil((trial.pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), held[1] + half)
     first, last = max(first, 0), min(last, rows - 1)
     if first > last:
         return np.zeros((len(shifts), count), np.float32), shifts
     elevation = low + np.arange(first, last + 1) * step
-    x, y = project(camera, Pose(0.0, pitch_deg, roll_deg), offset[None, :], elevation[:, None])
+    x, y = project(camera, trial, offset[None, :], elevation[:, None])
     y = np.maximum(y + EDGE_ROW, -1) + 1
     seen = imaging.sample_bilinear(evidence, np.nan_to_num(x, nan=-9), np.nan_to_num(y, nan=-9))
     # d(column)/d(azimuth): every picture column counts the same.
@@ -227,5 +258,5 @@ def _correlate(evidence, camera, pitch_deg, roll_deg, drawn, held, step, pitch_s
     for index, shift in enumerate(shifts):
         start, stop = max(first + shift, 0), min(last + 1 + shift, rows)
         part = slice(start - shift - first, stop - shift - first)
-        product[index] = np.einsum("ea,ea->a", drawn[start:stop], spectrum[part])
+        product[index] = np.einsum("ea,ea->a", drawn.spectrum[start:stop], spectrum[part])
     return fft.irfft(product, n=count, axis=1), shifts

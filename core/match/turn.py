@@ -15,7 +15,7 @@ import numpy as np
 from .refine import refine
 
 HEADING = (0,)
-"""What is held while the rest is fitted, as columns of `match_geometry.PARAMETERS`."""
+"""What is held while the rest is fitted, as columns of `geometry.PARAMETERS`."""
 
 STRIDE = 2
 """Every so many columns are enough to compare headings."""
@@ -49,10 +49,10 @@ def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 
 
     Parameters
     ----------
-    objective : match_refine.Objective
-    second : match_inner.InnerEvidence
+    objective : refine.Objective
+    second : inner.InnerEvidence
     trial : (5,) array
-        See `match_geometry.PARAMETERS`.
+        See `geometry.PARAMETERS`.
     scale : float
         Multiple of the expected tolerance at which the trial fits best.
     options : TurnOptions

@@ -83,11 +83,8 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
     for first in range(0, count, BATCH_RAYS):
         checkpoint(progress, first / count)
         part = slice(first, first + BATCH_RAYS)
-        origin = row - window.row, col - window.col
-        down = -1.0 if frame.row_goes_south else 1.0
-        alpha[part], step[part], inside[part], void[part] = _cast(
-            cells, origin, grid_azimuth[part], steps, eye_m, cell_m, down
-        )
+        eye = row - window.row, col - window.col, eye_m
+        alpha[part], step[part], inside[part], void[part] = _cast(cells, eye, grid_azimuth[part], steps, frame)
     known = np.isfinite(alpha)
     return HorizonProfile(
         azimuth_deg=azimuth,
@@ -101,16 +98,21 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
     )
 
 
-def _cast(cells, origin, grid_azimuth_deg, steps, eye_m, cell_m, down):
-    """Highest slope, the step where it is, steps inside the raster, and voids met, of each ray."""
+def _cast(cells, eye, grid_azimuth_deg, steps, frame):
+    """Highest slope, the step where it is, steps inside the raster, and voids met, of each ray.
+
+    The eye is its row and column among the cells and its elevation [m]; the frame gives size and sense of the rows.
+    """
+    eye_row, eye_col, eye_m = eye
+    down = -1.0 if frame.row_goes_south else 1.0
     s = np.arange(1, steps + 1)
     theta = np.radians(grid_azimuth_deg)[:, None]
-    row = np.floor(origin[0] + down * s * np.cos(theta) + 0.5).astype(np.intp)
-    col = np.floor(origin[1] + s * np.sin(theta) + 0.5).astype(np.intp)
+    row = np.floor(eye_row + down * s * np.cos(theta) + 0.5).astype(np.intp)
+    col = np.floor(eye_col + s * np.sin(theta) + 0.5).astype(np.intp)
     inside = (row >= 0) & (row < cells.shape[0]) & (col >= 0) & (col < cells.shape[1])
     inside = np.logical_and.accumulate(inside, axis=1)
     elevation = cells[np.where(inside, row, 0), np.where(inside, col, 0)]
-    alpha = (elevation.astype(float) - eye_m) / (s * cell_m)
+    alpha = (elevation.astype(float) - eye_m) / (s * frame.cell_m)
     unknown = np.isnan(alpha)
     alpha[unknown | ~inside] = -np.inf
     best = alpha.argmax(axis=1)

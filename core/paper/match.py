@@ -1,7 +1,6 @@
 """The heading search as published: linear angles, a shift for the tilt, normalised cross-correlation.
 
-E. Twarog, "Skyline-Based Camera Orientation Estimation and Directed Viewshed Computation from Geotagged Mountain
-Photography", steps 4 and 5, equations 5 to 8.
+Steps 4 and 5 of the paper, equations 5 to 8; equations 7 and 8 themselves are `core.base.curves.row_ncc`.
 """
 
 from __future__ import annotations
@@ -43,6 +42,12 @@ class PaperMatchOptions:
 def skyline_angles(skyline, hfov_deg, vfov_deg):
     """Offsets and elevations of a skyline by the paper's linear model.
 
+    Parameters
+    ----------
+    skyline : Skyline
+    hfov_deg, vfov_deg : float
+        Of the picture [degrees].
+
     Returns
     -------
     offset_deg : (W,) array
@@ -64,7 +69,7 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
     skyline : model.Skyline
         On the full picture, or on a reduced one of the same aspect.
     hfov_deg, vfov_deg : float
-        By the paper's rule, `camera.paper_fov_deg` [degrees].
+        By the paper's rule, `core.paper.method.paper_fov_deg` [degrees].
     horizon : model.HorizonProfile
     options : PaperMatchOptions
     progress : Progress
@@ -113,6 +118,15 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
 
 def correlate(heading_deg, offset_deg, elevation_deg, horizon, progress=SILENT):
     """NCC (equation 8) and tilt (equation 7) of a skyline against the horizon at every heading.
+
+    Parameters
+    ----------
+    heading_deg : (N,) array
+        [degrees]
+    offset_deg, elevation_deg : (W,) arrays
+        See `skyline_angles`; only columns that have a skyline.
+    horizon : HorizonProfile
+    progress : Progress
 
     Returns
     -------

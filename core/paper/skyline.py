@@ -1,9 +1,8 @@
 """The skyline as published: smooth pixels are sky, and the first rough one below them is terrain.
 
-Section 2 of the paper's method (E. Twarog, "Skyline-Based Camera Orientation Estimation and Directed Viewshed
-Computation from Geotagged Mountain Photography"): grey, 9 x 9 box filter, 15 x 15 median, Laplacian below a
-threshold, erosion, first transition per column, then removal of jumps and median smoothing. The paper numbers no
-equation here; its angles of the skyline are equations 5 and 6.
+Section 2 of the paper's method: grey, 9 x 9 box filter, 15 x 15 median, Laplacian below a threshold, erosion, first
+transition per column, then removal of jumps and median smoothing. The paper numbers no equation here; its angles of
+the skyline are equations 5 and 6 (`core.paper.match.skyline_angles`).
 """
 
 from __future__ import annotations

@@ -3,7 +3,8 @@
 A conditional logit per column: score = weights . features, softmax over the rows. Neighbouring columns see much the
 same pixels, so the log-probabilities are tempered before they are joined along the columns by forward-backward.
 The matcher should use the whole distribution: a column with two likely rows (snow edge, cloud edge) then helps
-whichever heading explains one of them. `best` is for drawing.
+whichever heading explains one of them. `best` is for drawing. A frame around the picture (a scan's border, letterbox
+bars) is cut off first and laid around the result again.
 """
 
 from __future__ import annotations
@@ -17,7 +18,6 @@ import numpy as np
 
 from ..base import imaging
 from ..base.errors import SkylineNotFoundError
-from ..base.imaging import thumbnail
 from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import measure
@@ -46,9 +46,18 @@ RIVAL_SHARE = 0.2
 NOWHERE = -100.0
 """Log-score of a row that is ruled out."""
 
+FRAME_TOLERANCE = 24.0
+"""How far a frame's pixels stray from its colour, largest channel [grey levels]."""
+
+DEEPEST_FRAME_SHARE = 0.3
+"""No side of a frame takes more of the picture than this."""
+
+FRAME_LEVELS = (40.0, 215.0)
+"""Frames are dark or bright: every channel below the first or above the second [grey levels]."""
+
 
 @dataclass(frozen=True)
-class EvidenceOptions:
+class SkylineOptions:
     """Parameters of the extraction.
 
     Attributes
@@ -88,14 +97,14 @@ class EvidenceOptions:
             raise ValueError(f"temper and jump_share must lie in (0, 1), costs above 0, not {self}")
 
 
-def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px=None):  # noqa: B008 - frozen
+def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=None):  # noqa: B008 - frozen
     """Estimate where the skyline lies in a picture.
 
     Parameters
     ----------
     pixels : uint8 (H, W, 3) array
         Upright RGB, at full size or reduced.
-    options : EvidenceOptions
+    options : SkylineOptions
     width_px, height_px : int, optional
         Size of the full picture where `pixels` is a reduced copy [pixels].
 
@@ -132,7 +141,7 @@ def skyline_evidence(pixels, options=EvidenceOptions(), width_px=None, height_px
         crop=crop,
         sky_score=_framed(ratio, crop, reduced.shape, 0),
         ridge_score=_framed(_ridges(appearance, probability), crop, reduced.shape, 0),
-        thumbnail=thumbnail(reduced, crop),
+        thumbnail=imaging.thumbnail(reduced, crop),
     )
     rival = _rival(score, probability, line, options)
     if rival is None:
@@ -194,6 +203,41 @@ def _reduce(pixels, work_px):
     return imaging.shrink_to(pixels[..., :3], work_px)
 
 
+def find_crop(rgb):
+    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros without one."""
+    rgb = np.asarray(rgb, np.float32)
+    height, width = rgb.shape[:2]
+    if min(height, width) < 32:
+        return 0, 0, 0, 0
+    ring = np.concatenate([rgb[0], rgb[-1], rgb[:, 0], rgb[:, -1]])
+    colour = np.median(ring, 0)
+    if not ((colour < FRAME_LEVELS[0]).all() or (colour > FRAME_LEVELS[1]).all()):
+        return 0, 0, 0, 0
+    is_frame = np.abs(rgb - colour).max(2) <= FRAME_TOLERANCE
+    left, right = _clean_depth(is_frame.mean(0)), _clean_depth(is_frame.mean(0)[::-1])
+    top, bottom = _clean_depth(is_frame.mean(1)), _clean_depth(is_frame.mean(1)[::-1])
+    if left and right:
+        inner = is_frame[:, left : width - right].mean(1)
+        return _depth(inner), _depth(inner[::-1]), left, right
+    if top and bottom:
+        return top, bottom, 0, 0
+    return 0, 0, 0, 0
+
+
+def _depth(share):
+    """Lines until fewer than half the pixels have the frame's colour (a caption's letters leave most of it)."""
+    ended = share < 0.5
+    depth = int(ended.argmax()) if ended.any() else 0
+    return depth if depth <= DEEPEST_FRAME_SHARE * len(share) else 0
+
+
+def _clean_depth(share):
+    """`_depth` for a side that must be pure frame from its first line on and end within three lines; else 0."""
+    depth = _depth(share)
+    pure = depth - 2 if depth > 2 else depth
+    return depth if depth and share[:pure].min(initial=1.0) >= 0.97 else 0
+
+
 def _cut_ridges_apart(probability):
     """Probability of the rows inside the frame, and per column that the ridge leaves it (row 0)."""
     inside = probability.copy()
@@ -233,48 +277,3 @@ def _framed(inner, crop, shape, rows_outside=None):
     whole[:, left : width - right] = 0
     whole[top : height - bottom, left : width - right] = inner
     return whole
-
-
-TOLERANCE = 24.0
-"""How far a frame's pixels stray from its colour, largest channel [grey levels]."""
-
-DEEPEST_SHARE = 0.3
-"""No side of a frame takes more of the picture than this."""
-
-EXTREME_LEVELS = (40.0, 215.0)
-"""Frames are dark or bright: every channel below the first or above the second [grey levels]."""
-
-
-def find_crop(rgb):
-    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros without one."""
-    rgb = np.asarray(rgb, np.float32)
-    height, width = rgb.shape[:2]
-    if min(height, width) < 32:
-        return 0, 0, 0, 0
-    ring = np.concatenate([rgb[0], rgb[-1], rgb[:, 0], rgb[:, -1]])
-    colour = np.median(ring, 0)
-    if not ((colour < EXTREME_LEVELS[0]).all() or (colour > EXTREME_LEVELS[1]).all()):
-        return 0, 0, 0, 0
-    is_frame = np.abs(rgb - colour).max(2) <= TOLERANCE
-    left, right = _clean_depth(is_frame.mean(0)), _clean_depth(is_frame.mean(0)[::-1])
-    top, bottom = _clean_depth(is_frame.mean(1)), _clean_depth(is_frame.mean(1)[::-1])
-    if left and right:
-        inner = is_frame[:, left : width - right].mean(1)
-        return _depth(inner), _depth(inner[::-1]), left, right
-    if top and bottom:
-        return top, bottom, 0, 0
-    return 0, 0, 0, 0
-
-
-def _depth(share):
-    """Lines until fewer than half the pixels have the frame's colour (a caption's letters leave most of it)."""
-    ended = share < 0.5
-    depth = int(ended.argmax()) if ended.any() else 0
-    return depth if depth <= DEEPEST_SHARE * len(share) else 0
-
-
-def _clean_depth(share):
-    """`_depth` for a side that must be pure frame from its first line on and end within three lines; else 0."""
-    depth = _depth(share)
-    pure = depth - 2 if depth > 2 else depth
-    return depth if depth and share[:pure].min(initial=1.0) >= 0.97 else 0

@@ -1,8 +1,10 @@
-"""What speaks for a boundary between sky and ground above each pixel: some forty numbers per row and column.
+"""What speaks for a boundary between sky and ground above each pixel: fifty-seven numbers per row and column.
 
 Row y stands for "the first terrain pixel of this column is y", so the boundary lies between y - 1 and y; row 0 means
 that the ridge leaves the frame at the top. All numbers belong to a picture of about 512 pixels on the long side; at
 finer scale terrain texture competes with the skyline.
+
+`boundary_features` gathers them; below it stand the windows, sums and maxima along the columns that they are made of.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ def boundary_features(appearance, ratio):
     ----------
     appearance : Appearance
     ratio : (H, W) array
-        Log-likelihood ratio of sky against ground, from `skyline_colour.learn_sky`.
+        Log-likelihood ratio of sky against ground, from `colour.learn_sky`.
 
     Returns
     -------

@@ -7,8 +7,8 @@ import numpy as np
 from ..base.errors import SkylineNotFoundError
 from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
+from .evidence import SkylineOptions
 
-WORK_PX = 512
 MASK_SIGMA_PX = 1.0
 """How far a mask's edge is trusted [pixels of the reduced picture]."""
 
@@ -98,7 +98,8 @@ def _drawing_sigma_px(x_px, long_side_px):
 
 
 def _reduction(width_px, height_px):
-    return min(1.0, WORK_PX / max(width_px, height_px))
+    """Factor to the size at which extracted evidence comes too."""
+    return min(1.0, SkylineOptions.work_px / max(width_px, height_px))
 
 
 def _evidence_from_rows(row_px, rows_height, width_px, height_px, sigma):

@@ -40,7 +40,7 @@ def test_equation_10_by_hand(run):
 def test_size_and_view_come_from_the_file(run, scene):
     rows = [(str(scene.folder / "west.jpg"), 100, 200, 140, 200)]
     results, _ = run("measureoffsets", {"INPUT": table(rows), "OUTPUT": "memory:"})
-    from skyline_viewshed.core.base.camera import paper_fov_deg
+    from skyline_viewshed.core.paper.method import paper_fov_deg
 
     assert results["MEAN_AZIMUTH"] == pytest.approx(40 / 800 * paper_fov_deg(800, 600, 28.0)[0])
 

@@ -20,7 +20,11 @@ from skyline_viewshed.core.base.model import (
     Skyline,
     SkylineEvidence,
 )
+from skyline_viewshed.core.match.geometry import HorizonCurve
+from skyline_viewshed.core.match.inputs import MatchInputs
+from skyline_viewshed.core.match.likelihood import EvidenceStack
 from skyline_viewshed.core.match.prior import CameraPrior
+from skyline_viewshed.core.match.refine import Objective
 
 
 @dataclass(frozen=True)
@@ -33,9 +37,19 @@ class MatchScene:
     evidence: SkylineEvidence
     row_px: np.ndarray
 
+    def inputs(self, **facts):
+        """What a match takes of it."""
+        return MatchInputs(self.evidence, CameraPrior(self.camera), self.horizon, **facts)
+
     @property
-    def prior(self):
-        return CameraPrior(self.camera)
+    def small_camera(self):
+        """Of the reduced picture."""
+        return self.inputs().reduced_prior.camera
+
+    def objective(self, focal_sigma=0.025, **facts):
+        """Score of trials against its evidence."""
+        prior = CameraPrior(self.small_camera, focal_sigma)
+        return Objective(EvidenceStack(self.evidence.probability), prior, HorizonCurve(self.horizon), **facts)
 
 
 def random_horizon(seed, cell_m=30.0, step_deg=0.1):

@@ -11,7 +11,7 @@ from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.match import robust as match_robust
 from skyline_viewshed.core.paper.horizon import PaperHorizonOptions
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, camera_prior, orient_photo
 from skyline_viewshed.core.skyline.given import evidence_from_line
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
@@ -52,7 +52,7 @@ def taken(scene):
 
 def test_everything_that_a_report_needs_comes_with_the_answer(scene, taken):
     photo, dem, observer = taken
-    found = orient_photo(photo, dem, observer, camera_prior(photo.metadata))
+    found = orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata)))
     truth = scene.truth["west"]
     assert abs((found.orientation.best.pose.heading_deg - truth.heading_deg + 180) % 360 - 180) < 0.5
     assert found.evidence.probability.shape == (found.skyline.height_px, found.skyline.width_px)
@@ -65,7 +65,7 @@ def test_the_ground_places_an_extracted_skyline_s_answer_and_not_a_given_one_s(t
     photo, dem, observer = taken
     turned, turn = [], match_robust.turn
     monkeypatch.setattr(match_robust, "turn", lambda *given: turned.append(1) or turn(*given))
-    found = orient_photo(photo, dem, observer, camera_prior(photo.metadata))
+    found = orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata)))
     assert turned
     del turned[:]
     drawn = evidence_from_line(
@@ -74,7 +74,7 @@ def test_the_ground_places_an_extracted_skyline_s_answer_and_not_a_given_one_s(t
         photo.metadata.width_px,
         photo.metadata.height_px,
     )
-    again = orient_photo(photo, dem, observer, camera_prior(photo.metadata), hints=Hints(evidence=drawn))
+    again = orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata), Hints(evidence=drawn)))
     assert not turned
     heading_deg = found.orientation.best.pose.heading_deg
     assert again.orientation.best.pose.heading_deg == pytest.approx(heading_deg, abs=0.3)
@@ -83,7 +83,7 @@ def test_the_ground_places_an_extracted_skyline_s_answer_and_not_a_given_one_s(t
 def test_a_picture_of_one_colour_is_rejected_not_failed(taken):
     photo, dem, observer = taken
     blank = Photo(photo.metadata, np.full_like(photo.pixels, 130))
-    found = orient_photo(blank, dem, observer, camera_prior(photo.metadata))
+    found = orient_photo(blank, dem, Setting(observer, camera_prior(photo.metadata)))
     assert found.orientation.status == "rejected"
     assert found.orientation.best is None
     assert "sky mask" in found.orientation.message
@@ -92,7 +92,7 @@ def test_a_picture_of_one_colour_is_rejected_not_failed(taken):
 def test_an_observer_outside_the_dem_is_the_photo_s_fault(taken):
     photo, dem, _ = taken
     with pytest.raises(ObserverOutsideDemError):
-        orient_photo(photo, dem, Observer(0.0, 0.0), camera_prior(photo.metadata))
+        orient_photo(photo, dem, Setting(Observer(0.0, 0.0), camera_prior(photo.metadata)))
 
 
 def test_progress_never_runs_backwards(taken):
@@ -108,6 +108,6 @@ def test_progress_never_runs_backwards(taken):
 
     photo, dem, observer = taken
     recorder = Recorder()
-    orient_photo(photo, dem, observer, camera_prior(photo.metadata), progress=recorder)
+    orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata)), progress=recorder)
     assert np.diff(recorder.fractions).min() > -1e-9
     assert 0 <= recorder.fractions[0] <= recorder.fractions[-1] <= 1

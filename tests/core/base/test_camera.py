@@ -11,18 +11,9 @@ from skyline_viewshed.core.base.camera import (
     focal_of_fov_px,
     fov_of_focal_deg,
     in_frame,
-    paper_fov_deg,
     project,
     unproject,
 )
-
-
-@pytest.mark.parametrize(
-    "size, expected",
-    [((4032, 3024), (73.74, 53.13)), ((3024, 4032), (53.13, 73.74))],
-)
-def test_paper_rule_gives_the_published_74_and_53_degrees_at_24_mm(size, expected):
-    assert paper_fov_deg(*size, 24) == pytest.approx(expected, abs=0.01)
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from skyline_viewshed.core.match.finding import heading_sigma_deg, judge, relief_px
-from skyline_viewshed.core.match.geometry import HorizonCurve
-from skyline_viewshed.core.match.likelihood import EvidenceStack
 from skyline_viewshed.core.match.posterior import answer_probabilities, p_correct
-from skyline_viewshed.core.match.prior import CameraPrior, HeadingPrior
-from skyline_viewshed.core.match.refine import Objective
-from skyline_viewshed.core.match.robust import RobustOptions, find_answers
+from skyline_viewshed.core.match.prior import HeadingPrior
+from skyline_viewshed.core.match.robust import find_answers
 
 TRIAL = np.array([[97.3, 6.0, 1.0, 0.0, 0.0]])
 
@@ -20,13 +17,17 @@ def scene(match_scenes):
 
 @pytest.fixture(scope="module")
 def fitted(scene):
-    return objective_of(scene, scene.horizon)
+    return scene.objective(0.02)
 
 
-def objective_of(scene, horizon):
-    probability = scene.evidence.probability
-    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
-    return Objective(EvidenceStack(probability), camera, HorizonCurve(horizon), 0.02)
+@pytest.fixture(scope="module")
+def narrow(match_scenes):
+    return match_scenes.scene(4, 97.3, hfov_deg=20.0)
+
+
+@pytest.fixture(scope="module")
+def answers(narrow):
+    return find_answers(narrow.inputs())
 
 
 def sigma(objective, scale=1.0, position_error_m=0.0, floor_deg=0.0):
@@ -41,7 +42,8 @@ def test_a_heading_is_less_sure_the_wider_the_tolerance_at_which_it_fits(fitted)
 
 def test_position_error_and_floor_add_in_squares(scene, fitted):
     assert sigma(fitted, floor_deg=0.3) == pytest.approx(np.hypot(sigma(fitted), 0.3))
-    near = objective_of(scene, replace(scene.horizon, distance_m=np.full(scene.horizon.distance_m.shape, 2000.0)))
+    horizon = replace(scene.horizon, distance_m=np.full(scene.horizon.distance_m.shape, 2000.0))
+    near = replace(scene, horizon=horizon).objective(0.02)
     moved, still = sigma(near, position_error_m=35.0), sigma(near)
     assert np.sqrt(moved**2 - still**2) == pytest.approx(np.degrees(35.0 / 2000.0), rel=1e-3)
 
@@ -54,15 +56,15 @@ def test_relief_is_measured_about_a_straight_line():
     assert relief_px(columns[:10], tilted[:10]) == 0.0
 
 
-def answers_of(scene, heading_prior=None):
-    return find_answers(
-        scene.evidence, CameraPrior(scene.camera), scene.horizon, RobustOptions(), heading_prior, (), 8.0, None
-    )
-
-
-@pytest.fixture(scope="module")
-def answers(match_scenes):
-    return answers_of(match_scenes.scene(4, 97.3, hfov_deg=20.0))
+def test_a_finding_speaks_of_the_best_answer_and_answers_can_be_put_in_another_order(answers):
+    finding = answers.finding
+    assert finding.heading_deg[0] == answers.trials[0, 0] == pytest.approx(97.3, abs=0.3)
+    assert finding.explained > 0.9 and finding.residual_px < 1 and finding.sureness > 0.8
+    assert finding.gap == finding.score[0] - finding.score[1] > 0
+    last = answers.reordered(np.arange(len(answers.trials))[::-1])
+    assert last.finding.heading_deg.tolist() == finding.heading_deg[::-1].tolist()
+    assert last.finding.score.tolist() == finding.score[::-1].tolist()
+    assert last.finding.explained < finding.explained and last.finding.residual_px > finding.residual_px
 
 
 def test_without_a_belief_the_picture_s_own_probabilities_stand(answers):
@@ -80,10 +82,9 @@ def test_a_belief_in_the_same_heading_makes_surer_and_one_in_another_less_sure(a
     assert agreeing[0] > alone > opposing.max()
 
 
-def test_a_belief_changes_no_score(match_scenes, answers):
+def test_a_belief_changes_no_score(narrow, answers):
     """The belief helps to choose what is looked at; how well an answer fits the picture is not its matter."""
-    prior = HeadingPrior(97.3, 10.0)
-    led = answers_of(match_scenes.scene(4, 97.3, hfov_deg=20.0), prior)
+    led = find_answers(narrow.inputs(heading_prior=HeadingPrior(97.3, 10.0)))
     assert led.finding.score[0] == pytest.approx(answers.finding.score[0], abs=1e-3)
 
 

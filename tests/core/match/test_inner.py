@@ -10,11 +10,13 @@ from skyline_viewshed.core.horizon.inner import InnerTerrain, inner_terrain
 from skyline_viewshed.core.match.geometry import HorizonCurve
 from skyline_viewshed.core.match.ground import GroundMatchOptions
 from skyline_viewshed.core.match.inner import InnerEvidence
+from skyline_viewshed.core.match.inputs import MatchInputs
 from skyline_viewshed.core.match.likelihood import EvidenceStack
+from skyline_viewshed.core.match.prior import CameraPrior
 from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeMatchOptions
 from skyline_viewshed.core.match.robust import RobustOptions
-from skyline_viewshed.core.pipeline import OrientOptions, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import OrientOptions, Setting, camera_prior, orient_photo
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
@@ -32,11 +34,10 @@ def parts(scene):
 
 
 def parts_of(scene):
-    evidence = skyline_evidence(scene.photo.pixels)
-    height, width = evidence.probability.shape
-    curve = HorizonCurve(horizon_profile(scene.terrain, scene.observer))
-    objective = Objective(EvidenceStack(evidence.probability), scene.camera.scaled(width, height), curve, 0.02)
-    return objective, evidence, inner_terrain(scene.terrain, scene.observer)
+    evidence, horizon = skyline_evidence(scene.photo.pixels), horizon_profile(scene.terrain, scene.observer)
+    inner = inner_terrain(scene.terrain, scene.observer)
+    inputs = MatchInputs(evidence, CameraPrior(scene.camera, 0.02), horizon, inner=inner)
+    return Objective(EvidenceStack(evidence.probability), inputs.reduced_prior, HorizonCurve(horizon)), inputs
 
 
 def trials_of(pose, turns_deg):
@@ -66,13 +67,15 @@ def test_crests_and_ground_add_up(scene, parts):
 
 
 def test_what_is_unknown_adds_nothing(scene, parts):
-    objective, evidence, inner = parts
+    objective, inputs = parts
     trials = trials_of(scene.pose, np.arange(0.0, 360.0, 40.0))
-    blind = replace(evidence, thumbnail=None, ridge_score=None)
-    assert not InnerEvidence(objective, evidence, None, RobustOptions()).score(trials).any()
-    assert not InnerEvidence(objective, blind, inner, RobustOptions()).score(trials).any()
-    no_ground = InnerEvidence(objective, evidence, InnerTerrain(inner.ridges, None), RobustOptions(ridges=NO_CRESTS))
-    assert not no_ground.score(trials).any()
+    no_terrain = replace(inputs, inner=None)
+    no_picture = replace(inputs, evidence=replace(inputs.evidence, thumbnail=None, ridge_score=None))
+    for unknown in (no_terrain, no_picture):
+        second = InnerEvidence(objective, unknown, RobustOptions())
+        assert not second and not second.score(trials).any()
+    no_ground = replace(inputs, inner=InnerTerrain(inputs.inner.ridges, None))
+    assert not InnerEvidence(objective, no_ground, RobustOptions(ridges=NO_CRESTS)).score(trials).any()
 
 
 def twin_mountains():
@@ -94,11 +97,11 @@ def test_of_twin_horizons_the_ground_tells_the_right_one():
     terrain, observer = twin_mountains(), Observer(0.0, 0.0, 350.0)
     camera = Camera(640, 480, focal_from_35mm_px(640, 480, 35.0))
     scene = taken(terrain, observer, camera, Pose(57.0, 1.0, 0.5), SceneOptions(2), 35.0)
-    prior = camera_prior(scene.photo.metadata)
+    setting = Setting(observer, camera_prior(scene.photo.metadata))
     blind = OrientOptions(robust=RobustOptions(ground=NO_GROUND, ridges=NO_CRESTS))
-    twins = orient_photo(scene.photo, terrain, observer, prior, blind).orientation
+    twins = orient_photo(scene.photo, terrain, setting, blind).orientation
     assert twins.status == "ambiguous"
     assert sorted(c.pose.heading_deg for c in twins.candidates[:2]) == pytest.approx([57.0, 237.0], abs=0.5)
-    told = orient_photo(scene.photo, terrain, observer, prior).orientation
+    told = orient_photo(scene.photo, terrain, setting).orientation
     assert told.best.pose.heading_deg == pytest.approx(57.0, abs=0.5)
     assert told.p_correct > 0.9 > 0.55 > twins.p_correct

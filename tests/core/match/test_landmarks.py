@@ -3,8 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.camera import Camera, Pose, project, unproject
-from skyline_viewshed.core.match.landmarks import landmark_notes, scale_landmarks, starting_pose
-from skyline_viewshed.core.match.prior import Landmark
+from skyline_viewshed.core.match.landmarks import Landmark, landmark_notes, scale_landmarks, starting_pose
 
 FULL = Camera(4000, 3000, 3500.0)
 
@@ -12,7 +11,6 @@ FULL = Camera(4000, 3000, 3500.0)
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0, 359), st.floats(-30, 30), st.floats(100, 3900), st.floats(100, 2900))
 def test_one_landmark_gives_heading_and_pitch_of_a_level_camera(heading, pitch, x, y):
-
     azimuth, elevation = unproject(FULL, Pose(heading, pitch), x, y)
     start = starting_pose(FULL, Landmark(x, y, float(azimuth), float(elevation)))
     assert abs((start.heading_deg - heading + 180) % 360 - 180) < 0.2

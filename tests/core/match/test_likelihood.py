@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.match.likelihood import EvidenceOptions, EvidenceStack
+from skyline_viewshed.core.match.likelihood import EvidenceStack, LikelihoodOptions
 
 
 def single_row(row, height=101, width=7):
@@ -12,7 +12,7 @@ def single_row(row, height=101, width=7):
 
 
 def test_a_certain_row_gives_the_mixture_of_a_gaussian_and_a_flat_outlier():
-    stack = EvidenceStack(single_row(50), EvidenceOptions(outlier_share=0.2, above_share=1.0))
+    stack = EvidenceStack(single_row(50), LikelihoodOptions(outlier_share=0.2, above_share=1.0))
     offset = np.arange(-10, 11)
     found = stack.look_up(np.full(21, 3), 49.5 + offset, 3.0 * np.ones(21))
     bell = np.exp(-0.5 * (offset / 3) ** 2) / np.sqrt(2 * np.pi) / 3
@@ -42,7 +42,7 @@ def test_rows_outside_the_picture_earn_nothing():
 def test_a_ridge_that_leaves_the_frame_speaks_for_a_horizon_above_it():
     probability = np.zeros((100, 2), np.float32)
     probability[60, 0] = 1
-    options = EvidenceOptions(outlier_share=0.2, leaving_share=0.1)
+    options = LikelihoodOptions(outlier_share=0.2, leaving_share=0.1)
     stack = EvidenceStack(probability, options, np.array([0.0, 1.0]))
     rows, tolerance = np.array([-40.0, 5.0, 60.0]), np.full(3, 2.0)
     seen, cut = stack.look_up(np.zeros(3, int), rows, tolerance), stack.look_up(np.ones(3, int), rows, tolerance)
@@ -73,6 +73,6 @@ def test_columns_without_information_are_told_apart():
 
 def test_impossible_options_are_refused():
     with pytest.raises(ValueError, match="outlier share"):
-        EvidenceOptions(outlier_share=0)
+        LikelihoodOptions(outlier_share=0)
     with pytest.raises(ValueError, match="tolerances"):
-        EvidenceOptions(finest_px=5, coarsest_px=2)
+        LikelihoodOptions(finest_px=5, coarsest_px=2)

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.match.finding import Finding, relief_px
+from skyline_viewshed.core.match.finding import Finding
 from skyline_viewshed.core.match.posterior import (
     answer_probabilities,
     features,
@@ -88,12 +88,6 @@ def test_the_status_says_why_and_what_to_do(probability, relief, status, words):
     found, message = verdict(finding(relief=relief), np.array(probability))
     assert found == status
     assert words in message
-
-
-def test_relief_is_counted_about_a_straight_line():
-    columns = np.arange(100)
-    assert relief_px(columns, 3 + 0.5 * columns) == pytest.approx(0, abs=1e-9)
-    assert relief_px(columns, 5 * np.sin(columns)) == pytest.approx(5 / np.sqrt(2), rel=0.05)
 
 
 def test_a_belief_is_joined_by_the_rule_of_bayes():

@@ -2,24 +2,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.match.geometry import HorizonCurve
-from skyline_viewshed.core.match.likelihood import EvidenceStack
-from skyline_viewshed.core.match.refine import Objective, RefineOptions, distinct, refine
-
-
-def objective_of(scene, focal_sigma=0.025, position_error_m=0.0, **options):
-    probability = scene.evidence.probability
-    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
-    curve, options = HorizonCurve(scene.horizon), RefineOptions(**options)
-    return Objective(EvidenceStack(probability), camera, curve, focal_sigma, options, position_error_m=position_error_m)
+from skyline_viewshed.core.match.refine import RefineOptions, refine
 
 
 def test_a_start_two_degrees_off_reaches_the_pose(match_scenes):
     scene = match_scenes.scene(6, 200.0, 2.0, 3.0, focal_scale=1.02)
-    objective = objective_of(scene)
+    objective = scene.objective(options=RefineOptions(iterations=12))
     trials = np.array([[201.5, 3.0, 0.0, 0.0, 0.0]])
     for scale in (3.0, 1.0):
-        trials, _ = refine(objective, trials, scale, iterations=12)
+        trials, _ = refine(objective, trials, scale)
     heading, pitch, roll, log_focal, _ = trials[0]
     assert abs(heading - 200.0) < 0.05
     assert abs(pitch - 2.0) < 0.1
@@ -28,7 +19,7 @@ def test_a_start_two_degrees_off_reaches_the_pose(match_scenes):
 
 
 def test_no_step_lowers_the_score(match_scenes):
-    objective = objective_of(match_scenes.scene(7))
+    objective = match_scenes.scene(7).objective()
     rng = np.random.default_rng(0)
     starts = np.column_stack([rng.uniform(0, 360, 20), rng.uniform(-5, 10, 20), *np.zeros((3, 20))])
     before = objective.score(starts, 3.0, 4)
@@ -36,8 +27,16 @@ def test_no_step_lowers_the_score(match_scenes):
     assert (after >= before - 1e-12).all()
 
 
+def test_held_parameters_stay(match_scenes):
+    objective = match_scenes.scene(6, 200.0, 2.0, 1.0).objective()
+    starts = np.array([[200.7, 2.6, 0.4, 0.0, 0.0], [199.2, 1.4, 1.5, 0.01, 0.0]])
+    moved, _ = refine(objective, starts, 3.0, held=(0, 3))
+    np.testing.assert_array_equal(moved[:, [0, 3]], starts[:, [0, 3]])
+    assert (moved[:, 1] != starts[:, 1]).all()
+
+
 def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_scenes):
-    objective = objective_of(match_scenes.scene(8))
+    objective = match_scenes.scene(8).objective()
     trial = np.array([[10.0, 70.0, 2.0, 0.01, 0.0]])  # looks into the sky: the horizon is out of the frame
     _, gradient, _ = objective.expand(trial, 1.0, 4)
     step = 1e-5
@@ -52,7 +51,7 @@ def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_
 def test_far_terrain_is_held_to_a_tighter_tolerance_than_near(match_scenes):
     scene = match_scenes.scene(9)
     distance = np.where(scene.horizon.azimuth_deg < 123, 800.0, 40_000.0)
-    objective = objective_of(replace(scene, horizon=replace(scene.horizon, distance_m=distance)))
+    objective = replace(scene, horizon=replace(scene.horizon, distance_m=distance)).objective()
     _, tolerance = objective.rows(np.array([[123.4, 3.0, 0.0, 0.0, 0.0]]), np.arange(256))
     options, focal = RefineOptions(), objective.camera.focal_px
     for column, distance_m in ((10, 800.0), (245, 40_000.0)):
@@ -66,7 +65,8 @@ def test_no_fit_is_finer_than_the_eyes_place_allows(match_scenes, scale):
     scene = match_scenes.scene(9)
     scene = replace(scene, horizon=replace(scene.horizon, distance_m=np.full(scene.horizon.azimuth_deg.shape, 800.0)))
     trial, columns = np.array([[123.4, 3.0, 0.0, 0.0, 0.0]]), np.arange(256)
-    still, moved = objective_of(scene), objective_of(scene, position_error_m=20.0, ground_slope=0.5)
+    still = scene.objective()
+    moved = scene.objective(options=RefineOptions(ground_slope=0.5), position_error_m=20.0)
     _, certain = still.rows(trial, columns, scale)
     _, uncertain = moved.rows(trial, columns, scale)
     assert uncertain == pytest.approx(np.hypot(certain, 10 / 800 * moved.camera.focal_px))
@@ -77,7 +77,3 @@ def test_no_fit_is_finer_than_the_eyes_place_allows(match_scenes, scale):
 def test_weights_that_make_no_sense_are_refused(wrong):
     with pytest.raises(ValueError):
         RefineOptions(**wrong)
-
-
-def test_distinct_answers_are_counted_across_north():
-    assert distinct(np.array([359.5, 0.4, 10.0]), np.array([1.0, 2.0, 0.5]), 1.5) == [1, 2]

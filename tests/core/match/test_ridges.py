@@ -7,13 +7,12 @@ from skyline_viewshed.core.base.camera import Camera, Pose, project
 from skyline_viewshed.core.horizon.inner import InnerTerrain
 from skyline_viewshed.core.horizon.ridges import RidgeEdges
 from skyline_viewshed.core.match import robust as matcher
-from skyline_viewshed.core.match.geometry import HorizonCurve
-from skyline_viewshed.core.match.likelihood import EvidenceStack
-from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeEvidence, RidgeMatchOptions, crest_share, local_rank
 from skyline_viewshed.core.match.robust import match_robust
 
 CAMERA = Camera(256, 192, 250.0)
+PLAIN_DEG = 0.5
+"""Elevation of the edge of the plain; the horizon behind lies at 2 degrees and more."""
 
 
 def crests():
@@ -69,10 +68,6 @@ def test_a_weight_of_zero_switches_crests_off():
     assert evidence.score(CAMERA, np.array([[40.0, 3.0, 0.0, 0.0, 0.0]]), np.zeros((1, 256)))[0] == 0
 
 
-PLAIN_DEG = 0.5
-"""Elevation of the edge of the plain; the horizon behind lies at 2 degrees and more."""
-
-
 def edges_at(elevation_deg, azimuth_deg=None):
     azimuth = np.arange(0, 360, 0.1) if azimuth_deg is None else azimuth_deg
     same = np.ones(len(azimuth))
@@ -83,15 +78,14 @@ def edges_at(elevation_deg, azimuth_deg=None):
 def range_behind_a_plain(match_scenes):
     """A scene, and evidence whose striking line is the edge of a plain, with the range behind as its rival."""
     scene = match_scenes.scene(11, 200.0, 3.0, 1.0)
-    small = scene.camera.scaled(256, 192)
     plain = replace(scene.horizon, elevation_deg=np.full(len(scene.horizon.azimuth_deg), PLAIN_DEG))
-    rows = match_scenes.seen_rows(plain, small, scene.pose)
+    rows = match_scenes.seen_rows(plain, scene.small_camera, scene.pose)
     striking = match_scenes.evidence_of_rows(rows, 256, 192, (scene.camera.width_px, scene.camera.height_px))
     return scene, replace(striking, rival=scene.evidence)
 
 
 def solve(scene, evidence, edges):
-    return match_robust(evidence, scene.prior, scene.horizon, inner=InnerTerrain(edges, None))
+    return match_robust(replace(scene, evidence=evidence).inputs(inner=edges and InnerTerrain(edges, None)))
 
 
 def away(found, scene):
@@ -116,8 +110,8 @@ def test_it_is_not_where_the_dem_knows_no_such_crest(range_behind_a_plain, elsew
 
 def test_without_a_rival_or_terrain_there_is_one_look(range_behind_a_plain):
     scene, evidence = range_behind_a_plain
-    for alone, inner in ((replace(evidence, rival=None), InnerTerrain(edges_at(PLAIN_DEG), None)), (evidence, None)):
-        found = match_robust(alone, scene.prior, scene.horizon, inner=inner)
+    for alone, edges in ((replace(evidence, rival=None), edges_at(PLAIN_DEG)), (evidence, None)):
+        found = solve(scene, alone, edges)
         assert not found.behind and found.status != "accepted"
 
 
@@ -131,8 +125,7 @@ def test_an_accepted_answer_is_not_looked_behind(range_behind_a_plain, monkeypat
 
 def test_the_share_counts_columns_with_two_lines(range_behind_a_plain):
     scene, evidence = range_behind_a_plain
-    small = scene.camera.scaled(256, 192)
-    objective = Objective(EvidenceStack(evidence.probability), small, HorizonCurve(scene.horizon), 0.02)
+    objective = scene.objective()
     trial = np.array([scene.pose.heading_deg, scene.pose.pitch_deg, scene.pose.roll_deg, 0.0, 0.0])
     assert crest_share(objective, trial, evidence, edges_at(PLAIN_DEG)) == 1.0
     assert crest_share(objective, trial, evidence, edges_at(-6.0)) == 0.0

@@ -5,16 +5,51 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.model import SkylineEvidence
-from skyline_viewshed.core.match.prior import HeadingPrior, Landmark
+from skyline_viewshed.core.match.landmarks import Landmark
+from skyline_viewshed.core.match.prior import HeadingPrior
 from skyline_viewshed.core.match.robust import match_robust
+
+FLAT = np.full((192, 256), 1 / 192, np.float32)
 
 
 def solve(scene, **facts):
-    return match_robust(scene.evidence, scene.prior, scene.horizon, **facts)
+    return match_robust(scene.inputs(**facts))
 
 
 def miss(found, heading_deg):
     return abs((found.best.pose.heading_deg - heading_deg + 180) % 360 - 180)
+
+
+def width_of(found):
+    return (found.heading_hi_deg - found.heading_lo_deg) % 360
+
+
+def twins(match_scenes):
+    """A scene, and the same with its mountains once more half a circle on."""
+    scene = match_scenes.scene(8, 100.0)
+    elevation = scene.horizon.elevation_deg.copy()
+    elevation[1800:] = elevation[:1800]
+    horizon = replace(scene.horizon, elevation_deg=elevation)
+    rows = match_scenes.seen_rows(horizon, scene.small_camera, scene.pose)
+    evidence = match_scenes.evidence_of_rows(rows, 256, 192, (1024, 768))
+    return scene, replace(scene, horizon=horizon, evidence=evidence)
+
+
+def blind(scene):
+    """The scene with evidence that says nothing about the skyline."""
+    return replace(scene, evidence=SkylineEvidence(FLAT, scene.evidence.best, 1024, 768))
+
+
+def noisy(scene, seed):
+    """The scene with rows picked at random for its skyline."""
+    probability = np.random.default_rng(seed).dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
+    return replace(scene, evidence=replace(scene.evidence, probability=probability))
+
+
+def marks_at(scene, *directions):
+    """Landmarks where the scene's camera sees directions (azimuth, elevation)."""
+    pixels = (project(scene.camera, scene.pose, *direction) for direction in directions)
+    return [Landmark(float(x), float(y), *direction) for (x, y), direction in zip(pixels, directions)]
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -45,9 +80,8 @@ def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_aw
 
 def test_the_interval_holds_the_truth_and_runs_clockwise(match_scenes):
     found = solve(match_scenes.scene(3, 0.05))
-    width = (found.heading_hi_deg - found.heading_lo_deg) % 360
-    assert (0.05 - found.heading_lo_deg) % 360 <= width
-    assert width < 10
+    assert (0.05 - found.heading_lo_deg) % 360 <= width_of(found)
+    assert width_of(found) < 10
 
 
 def test_an_uncertain_position_widens_the_interval(match_scenes):
@@ -56,51 +90,29 @@ def test_an_uncertain_position_widens_the_interval(match_scenes):
     assert width_of(far) > 1.5 * width_of(near)
 
 
-def width_of(found):
-    return (found.heading_hi_deg - found.heading_lo_deg) % 360
-
-
 def test_noise_without_a_skyline_is_not_accepted(match_scenes):
-    scene = match_scenes.scene(5)
-    rng = np.random.default_rng(0)
-    probability = rng.dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
-    found = solve(replace(scene, evidence=replace(scene.evidence, probability=probability)))
+    found = solve(noisy(match_scenes.scene(5), 0))
     assert found.status in ("ambiguous", "rejected")
     assert found.p_correct < 0.7
 
 
 def test_a_picture_without_any_evidence_is_rejected_with_advice(match_scenes):
-    scene = match_scenes.scene(5)
-    flat = SkylineEvidence(np.full((192, 256), 1 / 192, np.float32), scene.evidence.best, 1024, 768)
-    found = solve(replace(scene, evidence=flat))
+    found = solve(blind(match_scenes.scene(5)))
     assert found.status == "rejected"
     assert found.best is None
     assert "sky mask" in found.message
 
 
-def repeated(scene):
-    """The scene's horizon with the same mountains again half a circle on."""
-    elevation = scene.horizon.elevation_deg.copy()
-    elevation[1800:] = elevation[:1800]
-    return replace(scene, horizon=replace(scene.horizon, elevation_deg=elevation))
-
-
 def test_terrain_that_repeats_itself_is_ambiguous_and_both_answers_are_given(match_scenes):
-    scene = match_scenes.scene(8, 100.0)
-    twin = repeated(scene)
-    rows = match_scenes.seen_rows(twin.horizon, twin.camera.scaled(256, 192), twin.pose)
-    evidence = match_scenes.evidence_of_rows(rows, 256, 192, (1024, 768))
-    found = solve(replace(twin, evidence=evidence))
+    _, twin = twins(match_scenes)
+    found = solve(twin)
     headings = [candidate.pose.heading_deg for candidate in found.candidates[:2]]
     assert found.status == "ambiguous"
     assert sorted(round(h) for h in headings) == [100, 280]
 
 
 def test_a_prior_decides_between_twins_and_may_be_far_off_elsewhere(match_scenes):
-    scene = match_scenes.scene(8, 100.0)
-    twin = repeated(scene)
-    rows = match_scenes.seen_rows(twin.horizon, twin.camera.scaled(256, 192), twin.pose)
-    twin = replace(twin, evidence=match_scenes.evidence_of_rows(rows, 256, 192, (1024, 768)))
+    scene, twin = twins(match_scenes)
     assert miss(solve(twin, heading_prior=HeadingPrior(110.0, 10.0)), 100.0) < 1
     assert miss(solve(twin, heading_prior=HeadingPrior(290.0, 10.0)), 280.0) < 1
     # A clear skyline overrules a compass that points elsewhere.
@@ -109,13 +121,7 @@ def test_a_prior_decides_between_twins_and_may_be_far_off_elsewhere(match_scenes
 
 def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
     scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
-    rng = np.random.default_rng(1)
-    probability = rng.dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
-    marks = []
-    for azimuth, elevation in ((210.0, 5.0), (236.0, 8.0)):
-        x, y = project(scene.camera, scene.pose, azimuth, elevation)
-        marks.append(Landmark(float(x), float(y), azimuth, elevation))
-    found = solve(replace(scene, evidence=replace(scene.evidence, probability=probability)), landmarks=marks)
+    found = solve(noisy(scene, 1), landmarks=marks_at(scene, (210.0, 5.0), (236.0, 8.0)))
     assert miss(found, 222.0) < 0.7
     assert abs(found.best.pose.pitch_deg - 4.0) < 0.7
     assert any("Landmark 1 is met to within" in note for note in found.notes)
@@ -123,12 +129,7 @@ def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
 
 def test_landmarks_alone_are_enough_where_nothing_else_can_be_seen(match_scenes):
     scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
-    flat = SkylineEvidence(np.full((192, 256), 1 / 192, np.float32), scene.evidence.best, 1024, 768)
-    marks = []
-    for azimuth, elevation in ((205.0, 1.0), (236.0, 8.0), (222.0, 12.0)):
-        x, y = project(scene.camera, scene.pose, azimuth, elevation)
-        marks.append(Landmark(float(x), float(y), azimuth, elevation))
-    found = solve(replace(scene, evidence=flat), landmarks=marks)
+    found = solve(blind(scene), landmarks=marks_at(scene, (205.0, 1.0), (236.0, 8.0), (222.0, 12.0)))
     assert found.status == "accepted"
     assert miss(found, 222.0) < 0.5
 

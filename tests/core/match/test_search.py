@@ -12,12 +12,9 @@ from skyline_viewshed.core.match.search import SearchOptions, coarse_search, dis
 from skyline_viewshed.core.skyline.given import evidence_from_line
 
 
-def search(scene, **options):
-    probability = scene.evidence.probability
-    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
-    return coarse_search(
-        EvidenceStack(probability), camera, HorizonCurve(scene.horizon), probability, SearchOptions(**options)
-    )
+def search(scene, **facts):
+    stack = EvidenceStack(scene.evidence.probability)
+    return coarse_search(stack, scene.small_camera, HorizonCurve(scene.horizon), **facts)
 
 
 @pytest.mark.parametrize("heading_deg", [0.0, 97.3, 359.9])
@@ -100,8 +97,7 @@ def _picture_of(azimuth_deg, elevation_deg, hfov_deg, pose):
 
 
 def _candidates(evidence, camera, curve, options):
-    stack = EvidenceStack(evidence.probability)
-    return coarse_search(stack, camera, curve, evidence.probability, options).candidates
+    return coarse_search(EvidenceStack(evidence.probability), camera, curve, options).candidates
 
 
 def test_candidates_keep_their_distance_across_north():
@@ -127,13 +123,5 @@ def test_cancelling_stops_the_search(match_scenes):
         def cancelled(self):
             return True
 
-    scene = match_scenes.scene(1)
-    probability = scene.evidence.probability
     with pytest.raises(Cancelled):
-        coarse_search(
-            EvidenceStack(probability),
-            scene.camera.scaled(256, 192),
-            HorizonCurve(scene.horizon),
-            probability,
-            progress=Impatient(),
-        )
+        search(match_scenes.scene(1), progress=Impatient())

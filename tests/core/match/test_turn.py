@@ -3,9 +3,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.angles import difference
-from skyline_viewshed.core.match.geometry import HorizonCurve
-from skyline_viewshed.core.match.likelihood import EvidenceStack
-from skyline_viewshed.core.match.refine import Objective, refine
+from skyline_viewshed.core.match.refine import RefineOptions, refine
 from skyline_viewshed.core.match.turn import TurnOptions, _peak, turn
 
 
@@ -24,16 +22,13 @@ class Ground:
 
 @pytest.fixture(scope="module")
 def objective(match_scenes):
-    scene = match_scenes.scene(6, 200.0, 2.0, 1.0)
-    probability = scene.evidence.probability
-    camera = scene.camera.scaled(probability.shape[1], probability.shape[0])
-    return Objective(EvidenceStack(probability), camera, HorizonCurve(scene.horizon), 0.025)
+    return match_scenes.scene(6, 200.0, 2.0, 1.0).objective(options=RefineOptions(iterations=12))
 
 
 @pytest.fixture(scope="module")
 def fitted(objective):
-    trials, _ = refine(objective, np.array([[200.5, 2.5, 0.5, 0.0, 0.0]]), 3.0, iterations=12)
-    trials, _ = refine(objective, trials, 1.0, iterations=12)
+    trials, _ = refine(objective, np.array([[200.5, 2.5, 0.5, 0.0, 0.0]]), 3.0)
+    trials, _ = refine(objective, trials, 1.0)
     return trials[0]
 
 
@@ -65,13 +60,6 @@ def test_the_share_tells_how_far(objective, fitted):
 def test_the_turn_ends_at_its_reach(objective, fitted):
     trial, _ = turn(objective, Ground(204.0, 1e3, 6.0), fitted, 3.0, TurnOptions(reach_deg=1.0, step_deg=0.25))
     assert trial[0] == pytest.approx(fitted[0] + 1.0, abs=1e-6)
-
-
-def test_held_parameters_stay(objective):
-    starts = np.array([[200.7, 2.6, 0.4, 0.0, 0.0], [199.2, 1.4, 1.5, 0.01, 0.0]])
-    moved, _ = refine(objective, starts, 3.0, held=(0, 3))
-    np.testing.assert_array_equal(moved[:, [0, 3]], starts[:, [0, 3]])
-    assert (moved[:, 1] != starts[:, 1]).all()
 
 
 def test_the_parabola_finds_a_top_between_the_steps():

@@ -5,12 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.model import Skyline
-from skyline_viewshed.core.paper.match import (
-    PaperMatchOptions,
-    correlate,
-    match_paper,
-    skyline_angles,
-)
+from skyline_viewshed.core.paper.match import PaperMatchOptions, correlate, match_paper, skyline_angles
 
 HFOV, VFOV = 60.0, 40.0
 

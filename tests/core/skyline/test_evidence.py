@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
-from skyline_viewshed.core.skyline.evidence import EvidenceOptions, find_crop, shipped_weights, skyline_evidence
+from skyline_viewshed.core.skyline.evidence import SkylineOptions, find_crop, shipped_weights, skyline_evidence
 
 
 def ridge_rows(width, height, mean=0.4, swing=0.12):
@@ -17,14 +17,24 @@ def ridge_rows(width, height, mean=0.4, swing=0.12):
     return height * (mean + swing * np.sin(7 * x) + 0.3 * swing * np.sin(31 * x + 1))
 
 
+def graded_sky(width, height, top):
+    """A sky that pales downwards, (H, W, 3)."""
+    down = np.arange(height)[:, None, None] / height
+    return np.broadcast_to(np.array(top) + 60 * down * np.array([1.0, 0.8, 0.2]), (height, width, 3)).copy()
+
+
+def rock_texture(rng, width, height):
+    """Grain of several scales, about 0."""
+    return sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s for s in (0.7, 2.0, 5.0))
+
+
 def mountain_scene(width=512, height=384, seed=0, row_px=None, haze=0.0, grain=3.0):
     """Graded sky, a far and a near range with rock texture of several scales, grain; uint8 RGB and the rows."""
     rng = np.random.default_rng(seed)
     row_px = ridge_rows(width, height) if row_px is None else row_px
     y = np.arange(height)[:, None]
-    sky = np.array([110.0, 150, 215]) + (y / height * 60)[..., None] * np.array([1.0, 0.8, 0.2])
-    picture = np.broadcast_to(sky, (height, width, 3)).copy()
-    rock = sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s * 26 for s in (0.7, 2.0, 5.0))
+    picture = graded_sky(width, height, (110, 150, 215))
+    rock = 26 * rock_texture(rng, width, height)
     light = np.clip(95 + 1.6 * rock, 10, 235)[..., None] * np.array([1.0, 0.97, 0.92])
     far = light * (1 - haze) + haze * np.array([165.0, 185, 220])
     near = 0.55 * light * np.array([0.8, 1.0, 0.6])
@@ -33,6 +43,28 @@ def mountain_scene(width=512, height=384, seed=0, row_px=None, haze=0.0, grain=3
     foot = y > row_px + 0.3 * height
     picture[foot] = near[foot]
     return np.clip(picture + rng.normal(0, grain, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
+
+
+def plain_before_a_range(edge_px=230, height=384, width=512):
+    """A pale range under a blue sky behind the straight edge of a dark plain; uint8 RGB and the range's rows."""
+    rng = np.random.default_rng(4)
+    row_px = ridge_rows(width, height, 0.5, 0.06)
+    y = np.arange(height)[:, None]
+    picture = graded_sky(width, height, (120, 160, 215))
+    picture[(y >= row_px) & (y < edge_px)] += 35 * np.array([1.0, 0.9, 0.6])
+    rock = 20 * rock_texture(rng, width, height)
+    picture[edge_px:] = (np.clip(45 + rock, 5, 120)[..., None] * np.array([0.8, 1.0, 0.6]))[edge_px:]
+    return np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
+
+
+def landscape(height=200, width=300, seed=0):
+    """An even sky over a rough ground, to be framed."""
+    rng = np.random.default_rng(seed)
+    picture = np.full((height, width, 3), (150.0, 175.0, 215.0))
+    ridge = 80 + 20 * np.sin(np.arange(width) / 30)
+    ground = np.arange(height)[:, None] > ridge
+    picture[ground] = (90, 85, 60) + rng.normal(0, 20, (ground.sum(), 1))
+    return np.clip(picture, 0, 255)
 
 
 @pytest.fixture(scope="module")
@@ -48,19 +80,6 @@ def rows_off(evidence, truth):
     columns = (np.arange(width) + 0.5) * len(truth) / width - 0.5
     scale = height / evidence.height_px
     return np.abs(evidence.best.row_px - np.interp(columns, np.arange(len(truth)), truth) * scale)
-
-
-def plain_before_a_range(edge_px=230, height=384, width=512):
-    """A pale range under a blue sky behind the straight edge of a dark plain; uint8 RGB and the range's rows."""
-    rng = np.random.default_rng(4)
-    row_px = ridge_rows(width, height, 0.5, 0.06)
-    y = np.arange(height)[:, None]
-    sky = np.array([120.0, 160, 215]) + (y / height * 60)[..., None] * np.array([1.0, 0.8, 0.2])
-    picture = np.broadcast_to(sky, (height, width, 3)).copy()
-    picture[(y >= row_px) & (y < edge_px)] += 35 * np.array([1.0, 0.9, 0.6])
-    rock = sum(imaging.gaussian_blur(rng.normal(size=(height, width)), s) * s * 20 for s in (0.7, 2.0, 5.0))
-    picture[edge_px:] = (np.clip(45 + rock, 5, 120)[..., None] * np.array([0.8, 1.0, 0.6]))[edge_px:]
-    return np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
 
 
 def test_a_pale_range_behind_a_dark_plain_is_kept_as_the_rival():
@@ -226,7 +245,7 @@ def test_without_opencv_the_evidence_is_the_same(monkeypatch):
 def test_other_weights_take_the_place_of_the_shipped_ones(clear):
     """All weight on "high up": the line follows."""
     weights = {**dict.fromkeys(shipped_weights(), 0.0), "row": 60.0}
-    evidence = skyline_evidence(clear[0], EvidenceOptions(weights=weights))
+    evidence = skyline_evidence(clear[0], SkylineOptions(weights=weights))
     assert np.median(evidence.best.row_px) > 370
 
 
@@ -234,7 +253,56 @@ def test_other_weights_take_the_place_of_the_shipped_ones(clear):
 def test_options_out_of_range_are_refused(wrong):
     """Programming errors."""
     with pytest.raises(ValueError):
-        replace(EvidenceOptions(), **wrong)
+        replace(SkylineOptions(), **wrong)
+
+
+@pytest.mark.parametrize("level", [255, 240, 8])
+@pytest.mark.parametrize("border", [(6, 9, 5, 7), (20, 40, 20, 20)])
+def test_a_frame_is_measured_on_each_side(level, border):
+    """White, off-white and black, uneven sides."""
+    top, bottom, left, right = border
+    picture = landscape()
+    framed = np.pad(picture, ((top, bottom), (left, right), (0, 0)), constant_values=level)
+    assert find_crop(framed) == border
+
+
+def test_a_caption_below_belongs_to_the_frame():
+    """Letters darken a part of the lower border's lines."""
+    framed = np.pad(landscape(), ((10, 40), (10, 10), (0, 0)), constant_values=250)
+    framed[225:233, 20:120:3] = 30
+    assert find_crop(framed) == (10, 40, 10, 10)
+
+
+def test_bars_above_and_below_are_a_frame():
+    """Letterbox: no bars at the sides."""
+    framed = np.pad(landscape(), ((25, 25), (0, 0), (0, 0)), constant_values=0)
+    assert find_crop(framed) == (25, 25, 0, 0)
+
+
+@pytest.mark.parametrize("sky", [255, 250, 5])
+def test_an_overexposed_or_black_sky_is_no_frame(sky):
+    """Uniform at the top, and down the sides only as far as the ridge."""
+    picture = landscape()
+    picture[np.abs(picture - (150, 175, 215)).max(2) < 1] = sky
+    assert find_crop(picture) == (0, 0, 0, 0)
+
+
+def test_a_vignette_is_no_frame():
+    """Dark corners fade; a frame ends at once."""
+    y, x = np.mgrid[-1:1:200j, -1:1:300j]
+    gain = np.clip(1.6 - np.maximum(np.abs(x), np.abs(y)) * 1.7, 0, 1)[..., None]
+    assert find_crop(landscape() * gain) == (0, 0, 0, 0)
+
+
+@pytest.mark.parametrize("value", [0, 128, 255])
+def test_a_picture_of_one_colour_has_no_frame(value):
+    """Nothing would be left."""
+    assert find_crop(np.full((100, 100, 3), value, np.uint8)) == (0, 0, 0, 0)
+
+
+def test_tiny_pictures_are_left_alone():
+    """Too small to tell."""
+    assert find_crop(np.zeros((10, 400, 3), np.uint8)) == (0, 0, 0, 0)
 
 
 @pytest.mark.data
@@ -301,61 +369,3 @@ def path_points(line):
                 here = start + values[-2:]
             points.append(here)
     return np.array(points)
-
-
-def landscape(height=200, width=300, seed=0):
-    rng = np.random.default_rng(seed)
-    picture = np.full((height, width, 3), (150.0, 175.0, 215.0))
-    ridge = 80 + 20 * np.sin(np.arange(width) / 30)
-    ground = np.arange(height)[:, None] > ridge
-    picture[ground] = (90, 85, 60) + rng.normal(0, 20, (ground.sum(), 1))
-    return np.clip(picture, 0, 255)
-
-
-@pytest.mark.parametrize("level", [255, 240, 8])
-@pytest.mark.parametrize("border", [(6, 9, 5, 7), (20, 40, 20, 20)])
-def test_a_frame_is_measured_on_each_side(level, border):
-    """White, off-white and black, uneven sides."""
-    top, bottom, left, right = border
-    picture = landscape()
-    framed = np.pad(picture, ((top, bottom), (left, right), (0, 0)), constant_values=level)
-    assert find_crop(framed) == border
-
-
-def test_a_caption_below_belongs_to_the_frame():
-    """Letters darken a part of the lower border's lines."""
-    framed = np.pad(landscape(), ((10, 40), (10, 10), (0, 0)), constant_values=250)
-    framed[225:233, 20:120:3] = 30
-    assert find_crop(framed) == (10, 40, 10, 10)
-
-
-def test_bars_above_and_below_are_a_frame():
-    """Letterbox: no bars at the sides."""
-    framed = np.pad(landscape(), ((25, 25), (0, 0), (0, 0)), constant_values=0)
-    assert find_crop(framed) == (25, 25, 0, 0)
-
-
-@pytest.mark.parametrize("sky", [255, 250, 5])
-def test_an_overexposed_or_black_sky_is_no_frame(sky):
-    """Uniform at the top, and down the sides only as far as the ridge."""
-    picture = landscape()
-    picture[np.abs(picture - (150, 175, 215)).max(2) < 1] = sky
-    assert find_crop(picture) == (0, 0, 0, 0)
-
-
-def test_a_vignette_is_no_frame():
-    """Dark corners fade; a frame ends at once."""
-    y, x = np.mgrid[-1:1:200j, -1:1:300j]
-    gain = np.clip(1.6 - np.maximum(np.abs(x), np.abs(y)) * 1.7, 0, 1)[..., None]
-    assert find_crop(landscape() * gain) == (0, 0, 0, 0)
-
-
-@pytest.mark.parametrize("value", [0, 128, 255])
-def test_a_picture_of_one_colour_has_no_frame(value):
-    """Nothing would be left."""
-    assert find_crop(np.full((100, 100, 3), value, np.uint8)) == (0, 0, 0, 0)
-
-
-def test_tiny_pictures_are_left_alone():
-    """Too small to tell."""
-    assert find_crop(np.zeros((10, 400, 3), np.uint8)) == (0, 0, 0, 0)

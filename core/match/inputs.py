@@ -1,0 +1,50 @@
+"""What a match takes: all that is known of one photograph when its heading is searched."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ..base.model import HorizonProfile, SkylineEvidence
+from .prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
+
+
+@dataclass(frozen=True, eq=False)
+class MatchInputs:
+    """What is known of one photograph before the match.
+
+    Attributes
+    ----------
+    evidence : SkylineEvidence
+        Where the skyline may lie in the picture.
+    camera_prior : CameraPrior
+        Lens of the full upright picture.
+    horizon : HorizonProfile
+        The DEM's horizon at the observer.
+    heading_prior : HeadingPrior or None
+        From a compass or a person.
+    landmarks : tuple of Landmark
+        In pixels of the full upright picture.
+    position_error_m : float
+        Standard deviation of the observer's position [m].
+    inner : InnerTerrain or None
+        Crests and ground below the horizon, for second evidence.
+    """
+
+    evidence: SkylineEvidence
+    camera_prior: CameraPrior
+    horizon: HorizonProfile
+    heading_prior: HeadingPrior | None = None
+    landmarks: tuple = ()
+    position_error_m: float = TYPICAL_POSITION_ERROR_M
+    inner: object | None = None
+
+    @property
+    def reduced_prior(self):
+        """The lens at the size of the evidence; the spread of its focal length is relative and stays."""
+        height, width = self.evidence.probability.shape
+        return replace(self.camera_prior, camera=self.camera_prior.camera.scaled(width, height))
+
+    @property
+    def behind(self):
+        """The same inputs with the evidence's rival, the fainter line behind the striking one, as their evidence."""
+        return replace(self, evidence=self.evidence.rival)
