@@ -119,7 +119,7 @@ class HorizonCache:
         self._kept = OrderedDict()
 
     def profile(self, dem, observer, options, progress=SILENT):
-        """Give the observer's horizon, cast anew only where it is not among the last ones.
+        """Give the observer's `HorizonProfile`, cast anew only where it is not among the last ones.
 
         Parameters
         ----------
@@ -127,26 +127,17 @@ class HorizonCache:
         observer : Observer
         options : HorizonOptions or PaperHorizonOptions
         progress : Progress
-
-        Returns
-        -------
-        HorizonProfile
         """
         return self._look_up(cast_horizon, dem, observer, options, progress)
 
     def inner(self, dem, observer, options, progress=SILENT):
-        """Give the terrain below the observer's horizon in the same way.
+        """Give the `InnerTerrain` below the observer's horizon in the same way.
 
         Parameters
         ----------
-        dem : core.io.raster.Dem
-        observer : Observer
+        dem, observer, progress
+            As `profile` takes them.
         options : InnerOptions
-        progress : Progress
-
-        Returns
-        -------
-        InnerTerrain
         """
         return self._look_up(inner_terrain, dem, observer, options, progress)
 
@@ -211,7 +202,7 @@ def _orient(request, dem, options, cache, progress):
     return replace(
         oriented,
         orientation=replace(oriented.orientation, notes=notes),
-        preview=_preview(photo.pixels),
+        preview=np.rint(imaging.shrink_to(photo.pixels, PREVIEW_PX)).astype(np.uint8),
         compass_true_deg=compass,
     )
 
@@ -230,11 +221,10 @@ def _position(request, metadata):
 
 
 def _usable(longitude_deg, latitude_deg):
-    if longitude_deg is None or latitude_deg is None:
+    position = longitude_deg, latitude_deg
+    if None in position or not np.isfinite(position).all() or abs(latitude_deg) > 90:
         return False
-    if not (np.isfinite(longitude_deg) and np.isfinite(latitude_deg)) or abs(latitude_deg) > 90:
-        return False
-    return (longitude_deg, latitude_deg) != (0, 0)
+    return position != (0, 0)
 
 
 def _declination(metadata, longitude_deg, latitude_deg):
@@ -307,7 +297,3 @@ def _eye_notes(request, metadata, oriented):
             "The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.", metres=metres
         )
     return (note,)
-
-
-def _preview(pixels):
-    return np.rint(imaging.shrink_to(pixels, PREVIEW_PX)).astype(np.uint8)

@@ -9,7 +9,7 @@ SIDELOBE_EXCLUSION_DEG = 5.0
 
 
 def row_ncc(image, seen):
-    """Equation 8 along the last axis, over the places where both are known; and equation 7."""
+    """Normalised cross-correlation along the last axis, where both are known, and the mean of `seen` less `image`."""
     known = np.isfinite(seen)
     count = np.maximum(known.sum(axis=-1), 1)
     seen = np.where(known, seen, 0.0)
@@ -24,7 +24,7 @@ def row_ncc(image, seen):
 
 
 def correlation(a, b):
-    """NCC (equation 8) of two curves, or None where one is straight or both are short."""
+    """Normalised cross-correlation of two curves, or None where one is straight or both are short."""
     if len(a) < 10:
         return None
     ncc, _ = row_ncc(np.asarray(a, float), np.asarray(b, float))

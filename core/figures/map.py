@@ -136,7 +136,16 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
 
 
 def scale_bar(pixels, metres_per_px, unit=1.0):
-    """Draw a scale bar of a round length at the lower left, in place."""
+    """Draw a scale bar of a round length at the lower left, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    metres_per_px : float
+        [m per pixel]
+    unit : float
+        Size of type and marks, as a multiple of their usual size.
+    """
     length_m = round_below(0.28 * pixels.shape[1] * metres_per_px)
     words = f"{length_m / 1000:g} km" if length_m >= 1000 else f"{length_m:g} m"
     left, base = 18 * unit, pixels.shape[0] - 18 * unit
@@ -147,7 +156,16 @@ def scale_bar(pixels, metres_per_px, unit=1.0):
 
 
 def north_arrow(pixels, convergence_deg=0.0, unit=1.0):
-    """Draw an arrow to true north at the upper right, in place."""
+    """Draw an arrow to true north at the upper right, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    convergence_deg : float
+        See `core.base.angles.true_to_grid` [degrees].
+    unit : float
+        Size of type and marks, as a multiple of their usual size.
+    """
     x, y = pixels.shape[1] - 34 * unit, 42 * unit
     bearing = np.radians(true_to_grid(0.0, convergence_deg))
     along, across = np.array([np.sin(bearing), -np.cos(bearing)]), np.array([np.cos(bearing), np.sin(bearing)])
@@ -234,7 +252,16 @@ def _overlap(a, b):
 
 
 def legend(pixels, entries, unit=1.0):
-    """Write (colour, words) entries at the lower right, one below the other, in place."""
+    """Write (colour, words) entries at the lower right, one below the other, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    entries : sequence of (colour, words)
+        Colours as (red, green, blue).
+    unit : float
+        Size of type and marks, as a multiple of their usual size.
+    """
     size = 15 * unit
     wide = max((words_width(words, size) for _, words in entries), default=0.0)
     left, base = pixels.shape[1] - wide - 40 * unit, pixels.shape[0] - 16 * unit

@@ -97,7 +97,19 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
 
 
 def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None, say=str):
-    """Say how large the residuals are: median of the absolute values, and the share of columns compared."""
+    """Say how large the residuals are: median of the absolute values, and the share of columns compared.
+
+    Parameters
+    ----------
+    residual_px : array
+        NaN where nothing was compared [pixels].
+    height_px : float or None
+        Height of the picture, for the median as a share of it [pixels].
+    pixels_per_degree : float or None
+        For the median as an angle.
+    say : callable
+        Translates one English string.
+    """
     residual = np.asarray(residual_px, float).ravel()
     known = np.isfinite(residual)
     if not known.any():

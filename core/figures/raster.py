@@ -37,7 +37,18 @@ def encode_jpeg(pixels, quality=82):
 
 
 def resized(pixels, width_px, height_px):
-    """Resample a uint8 picture smoothly to another size."""
+    """Resample a uint8 picture smoothly to another size.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    width_px, height_px : float
+        Rounded to whole pixels, at least 1.
+
+    Returns
+    -------
+    uint8 array
+    """
     image = _pillow("Image")
     size = max(round(width_px), 1), max(round(height_px), 1)
     return np.asarray(image.fromarray(np.ascontiguousarray(pixels)).resize(size, image.LANCZOS))
@@ -83,13 +94,35 @@ def draw_line(pixels, x_px, y_px, colour, width_px=2.0, dash_px=None, casing_px=
 
 
 def draw_area(pixels, x_px, y_px, colour, opacity=1.0):
-    """Fill the polygon through the points, in place."""
+    """Fill the polygon through the points, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    x_px, y_px : (N,) arrays
+        Corners [pixels].
+    colour : tuple of int
+        (red, green, blue)
+    opacity : float
+        0 to 1.
+    """
     points = np.column_stack([x_px, y_px])
     _paint(pixels, lambda draw, scaled: draw.polygon(scaled(points), fill=255), points, 1, colour, opacity)
 
 
 def draw_dot(pixels, x_px, y_px, radius_px, colour, casing_px=1.5):
-    """Draw a disc with a dark border, in place."""
+    """Draw a disc with a dark border, in place.
+
+    Parameters
+    ----------
+    pixels : uint8 (H, W, 3) array
+    x_px, y_px, radius_px : float
+        Centre and radius of the disc [pixels].
+    colour : tuple of int
+        (red, green, blue)
+    casing_px : float
+        Width of the border [pixels].
+    """
     for radius, fill in ((radius_px + casing_px, CASING), (radius_px, colour)):
         corners = np.array([[x_px - radius, y_px - radius], [x_px + radius, y_px + radius]])
         _paint(pixels, lambda draw, scaled, box=corners: draw.ellipse(scaled(box), fill=255), corners, 1, fill, 1.0)
@@ -130,7 +163,15 @@ def draw_words(pixels, x_px, y_px, words, colour, size_px=14, anchor="ls", casin
 
 
 def words_width(words, size_px=14, bold=False):
-    """Width that words will take [pixels]."""
+    """Width that words will take [pixels].
+
+    Parameters
+    ----------
+    words : str
+    size_px : float
+        Of the type [pixels].
+    bold : bool
+    """
     return float(_font(size_px, bold).getlength(plain(words, 120)))
 
 

@@ -63,7 +63,18 @@ class Scale:
 
 
 def ticks(low, high, count=5):
-    """Round values 1, 2 or 5 times a power of ten apart, within [low, high], about `count` of them."""
+    """Round values 1, 2 or 5 times a power of ten apart, within [low, high], about `count` of them.
+
+    Parameters
+    ----------
+    low, high : float
+    count : int
+
+    Returns
+    -------
+    array
+        `low` alone where `high` is not above it.
+    """
     if not high > low:
         return np.array([low])
     rough = (high - low) / max(count, 1)
@@ -94,12 +105,33 @@ def element(name, content="", **attributes):
 
 
 def text(x, y, words, class_="label", anchor="start", **attributes):
-    """Write words at a place; they are escaped."""
+    """Write words at a place; they are escaped.
+
+    Parameters
+    ----------
+    x, y : float
+        Drawing units, y downwards.
+    words : str
+    class_ : str
+        Class of the style sheet.
+    anchor : str
+        'start', 'middle' or 'end'.
+    **attributes
+        Further attributes of the element.
+    """
     return element("text", escape(words), x=x, y=y, class_=class_, text_anchor=anchor, **attributes)
 
 
 def line(x1, y1, x2, y2, class_):
-    """Draw a straight line."""
+    """Draw a straight line.
+
+    Parameters
+    ----------
+    x1, y1, x2, y2 : float
+        Its ends in drawing units, y downwards.
+    class_ : str
+        Class of the style sheet.
+    """
     return element("line", x1=x1, y1=y1, x2=x2, y2=y2, class_=class_)
 
 
@@ -112,7 +144,15 @@ def polyline_path(x, y):
 
 
 def area_path(x, y, base):
-    """Path data of the area between a line and the level `base`; nothing for unknown stretches."""
+    """Path data of the area between a line and the level `base`; nothing for unknown stretches.
+
+    Parameters
+    ----------
+    x, y : (N,) arrays
+        The line in drawing units, y downwards; not finite where unknown.
+    base : float
+        The y of the level.
+    """
     return "".join(
         _trace(np.r_[x[run.start], x[run], x[run.stop - 1]], np.r_[base, y[run], base]) + "Z"
         for run, x, y in _known_runs(x, y)
@@ -134,7 +174,17 @@ def _trace(x, y):
 
 
 def sector_path(centre_x, centre_y, inner, outer, from_deg, width_deg):
-    """Path data of a ring's sector, azimuths clockwise from the top, `width_deg` clockwise from `from_deg`."""
+    """Path data of a ring's sector, azimuths clockwise from the top, `width_deg` clockwise from `from_deg`.
+
+    Parameters
+    ----------
+    centre_x, centre_y : float
+        Drawing units, y downwards.
+    inner, outer : float
+        Radii; an inner one of 0 or less gives a slice.
+    from_deg, width_deg : float
+        First azimuth, and how far the sector reaches clockwise from it [degrees].
+    """
     width_deg = min(float(width_deg), 359.99)
     large = int(width_deg > 180)
 
@@ -150,13 +200,37 @@ def sector_path(centre_x, centre_y, inner, outer, from_deg, width_deg):
 
 
 def on_circle(centre_x, centre_y, radius, azimuth_deg):
-    """Point at an azimuth, clockwise from the top."""
+    """Point at an azimuth, clockwise from the top.
+
+    Parameters
+    ----------
+    centre_x, centre_y, radius : float
+        Of the circle in drawing units, y downwards.
+    azimuth_deg : float or array
+        [degrees]
+
+    Returns
+    -------
+    x, y : float or array
+    """
     angle = np.radians(azimuth_deg)
     return centre_x + radius * np.sin(angle), centre_y - radius * np.cos(angle)
 
 
 def figure(width, height, title, description, *parts, class_="figure"):
-    """Wrap parts into an accessible drawing: role, name and description are read out, the name also on hovering."""
+    """Wrap parts into an accessible drawing: role, name and description are read out, the name also on hovering.
+
+    Parameters
+    ----------
+    width, height : float
+        Of the drawing, in its own units.
+    title, description : str
+        Plain words; they are escaped.
+    *parts : str
+        Elements, in the order in which they are drawn.
+    class_ : str
+        Class of the style sheet.
+    """
     body = "".join((element("title", escape(title)), element("desc", escape(description, 2000)), *parts))
     return (
         f'<svg class="{class_}" viewBox="0 0 {_number(width)} {_number(height)}" '

@@ -56,7 +56,16 @@ def compass_point(azimuth_deg, say=str):
 
 
 def degrees(angle_deg, decimals=1, signed=False):
-    """Write an angle with its sign: '45.5°', '+2.0°', or an en dash where it is None or not finite."""
+    """Write an angle with its sign: '45.5°', '+2.0°', or an en dash where it is None or not finite.
+
+    Parameters
+    ----------
+    angle_deg : float or None
+        [degrees]
+    decimals : int
+    signed : bool
+        Whether positive angles get a plus sign.
+    """
     return with_unit(angle_deg, "°", decimals, signed, space="")
 
 
@@ -68,7 +77,20 @@ def azimuth(azimuth_deg, decimals=1):
 
 
 def with_unit(value, unit, decimals=0, signed=False, space="\u00a0"):
-    """Write a number with its unit, a true minus sign and thousands apart, or an en dash where it is unknown."""
+    """Write a number with its unit, a true minus sign and thousands apart, or an en dash where it is unknown.
+
+    Parameters
+    ----------
+    value : float or None
+        Unknown where it is None or not finite.
+    unit : str
+        '' for none.
+    decimals : int
+    signed : bool
+        Whether positive numbers get a plus sign.
+    space : str
+        Between number and unit.
+    """
     if not is_known(value):
         return "–"
     value = round(float(value), decimals) + 0.0  # no '-0.0'

@@ -46,9 +46,15 @@ class ReportWriter(PageWriter):
         self._summaries, self._stations, self._drawn = [], [], 0
 
     def add(self, photo, extras=None, panels=None):
-        """Append the card of an `OrientedPhoto`; `extras` maps further labels to values.
+        """Append the card of a photograph.
 
-        `panels`, uint8 (h, w, 3) pixels, is the figure of where it looks and what ground it shows.
+        Parameters
+        ----------
+        photo : OrientedPhoto
+        extras : mapping or None
+            Further labels and values.
+        panels : uint8 (h, w, 3) array or None
+            The figure of where it looks and what ground it shows.
         """
         self._summaries.append(summarise(photo))
         self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))

@@ -1,10 +1,11 @@
-import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.model import SkylineEvidence
+from skyline_viewshed.core.horizon.inner import InnerTerrain
+from skyline_viewshed.core.match import robust
 from skyline_viewshed.core.match.landmarks import Landmark
 from skyline_viewshed.core.match.prior import HeadingPrior
 from skyline_viewshed.core.match.robust import match_robust
@@ -65,7 +66,7 @@ def test_a_perfect_skyline_gives_the_pose(match_scenes, seed):
 
 def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_away(match_scenes, monkeypatch):
     """Near ground that the DEM draws wrong pulls wide fits aside, out of reach of the fine ones that come after."""
-    fit = sys.modules[match_robust.__module__].refine
+    fit = robust.refine
 
     def pulled_aside(objective, trials, scale, stride=1, **rest):
         trials, score = fit(objective, trials, scale, stride, **rest)
@@ -74,7 +75,7 @@ def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_aw
         return trials, score
 
     scene = match_scenes.scene(3, 211.0)
-    monkeypatch.setattr(sys.modules[match_robust.__module__], "refine", pulled_aside)
+    monkeypatch.setattr(robust, "refine", pulled_aside)
     assert miss(solve(scene), 211.0) < 0.2
 
 
@@ -157,3 +158,39 @@ def test_the_curve_covers_the_circle_and_peaks_at_the_answer(match_scenes):
 def test_the_same_input_gives_the_same_answer(match_scenes):
     scene = match_scenes.scene(6)
     assert solve(scene).candidates == solve(scene).candidates
+
+
+def look(plain, crests, **changes):
+    """Solve the plain before a range with the crests that the DEM shows; None: no inner terrain at all."""
+    scene = replace(plain.scene, evidence=replace(plain.evidence, **changes))
+    return solve(scene, inner=crests and InnerTerrain(crests, None))
+
+
+def test_the_range_behind_is_matched_where_the_dem_has_a_crest_on_the_striking_line(plain_before_range):
+    found = look(plain_before_range, plain_before_range.crests())
+    assert found.behind and found.status == "accepted"
+    assert miss(found, 200.0) < 0.2
+    assert np.nanmedian(np.abs(found.residual_px)) < 4, "the residuals are those to the line that was matched"
+    assert any("near crest" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("elsewhere_deg", [-6.0, 1.9])
+def test_it_is_not_where_the_dem_knows_no_such_crest(plain_before_range, elsewhere_deg):
+    found = look(plain_before_range, plain_before_range.crests(elsewhere_deg))
+    assert not found.behind and found.status != "accepted"
+
+
+def test_without_a_rival_or_terrain_there_is_one_look(plain_before_range):
+    no_rival = look(plain_before_range, plain_before_range.crests(), rival=None)
+    no_terrain = look(plain_before_range, None)
+    for found in (no_rival, no_terrain):
+        assert not found.behind and found.status != "accepted"
+
+
+def test_an_accepted_answer_is_not_looked_behind(plain_before_range, monkeypatch):
+    looks, judged = [], robust._judged
+    monkeypatch.setattr(robust, "_judged", lambda *given: looks.append(given[0]) or judged(*given))
+    striking = replace(plain_before_range.evidence, rival=None)
+    scene = replace(plain_before_range.scene, evidence=replace(plain_before_range.scene.evidence, rival=striking))
+    found = solve(scene, inner=InnerTerrain(plain_before_range.crests(), None))
+    assert found.status == "accepted" and not found.behind and len(looks) == 1
