@@ -20,10 +20,11 @@ from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
+from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.inner import inner_terrain
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
-from .match.prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, Landmark, compass_prior, true_heading_deg
+from .match.prior import HeadingPrior, Landmark, compass_prior, true_heading_deg
 from .pipeline import Hints, OrientOptions, camera_prior, cast_horizon, orient_photo
 from .skyline.given import evidence_from_line, evidence_from_mask
 
@@ -126,14 +127,13 @@ class HorizonCache:
         return self._look_up(inner_terrain, dem, observer, options, progress)
 
     def _look_up(self, compute, dem, observer, options, progress):
-        key = (compute, id(dem), observer, options)
+        key = (compute, dem, observer, options)  # a terrain is hashed by identity, and held as long as its results
         if key not in self._kept:
-            # The DEM is kept with its results, so that its id cannot come to mean another one.
-            self._kept[key] = (compute(dem, observer, options, progress), dem)
+            self._kept[key] = compute(dem, observer, options, progress)
             while len(self._kept) > 2 * self.size:
                 self._kept.popitem(last=False)
         self._kept.move_to_end(key)
-        return self._kept[key][0]
+        return self._kept[key]
 
 
 def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT):  # noqa: B008 - frozen

@@ -15,6 +15,7 @@ from ..base.curves import correlation, sharpness
 from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
+from ..base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .finding import Answers, examine, judge, relief_px
 from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .ground import GroundMatchOptions
@@ -22,7 +23,7 @@ from .inner import InnerEvidence
 from .landmarks import landmark_notes, scale_landmarks, starting_pose
 from .likelihood import EDGE_ROW, EvidenceOptions, EvidenceStack
 from .posterior import PosteriorOptions, interval, table, verdict
-from .prior import TYPICAL_POSITION_ERROR_M, log_ratio
+from .prior import log_ratio
 from .refine import Objective, RefineOptions, distinct, refine
 from .ridges import LEAST_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
