@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber
@@ -11,15 +12,15 @@ from .shared import parameters as shared
 from .shared.elevation import dem_fault
 from .shared.i18n import tr
 from .shared.layers import number_column, points_fault, read_points
+from .shared.photo_points import INTERVAL_FIELDS, POSE_FIELDS, PoseReading, photo_point
 from .shared.result_figures import ResultFigures, figures_out, stations_of
 from .shared.skyline_limits import add_table_parameters, table_fault, with_table
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
-from .shared.visibility import Sight, add_range_parameters, range_fault, viewshed_options
+from .shared.visibility import add_range_parameters, range_fault, viewshed_options
 
-POSE_FIELDS = ("HEADING_FIELD", "HFOV_FIELD", "PITCH_FIELD", "ROLL_FIELD", "VFOV_FIELD")
-NUMBER_FIELDS = (*POSE_FIELDS, "HEIGHT_FIELD", "HEADING_LO_FIELD", "HEADING_HI_FIELD")
+NUMBER_FIELDS = (*POSE_FIELDS, *INTERVAL_FIELDS)
 
 
 class DirectedViewshed(DemAlgorithm):
@@ -147,19 +148,20 @@ class DirectedViewshed(DemAlgorithm):
     def compute(self, parameters, context, feedback):
         """Compute photo by photo, then write."""
         _, rows = read_points(self, parameters, context, "INPUT", None, NUMBER_FIELDS)
-        sights = with_table(self, parameters, context, [sight_of(row) for row in rows], feedback)
+        wanted = extra_options(self, parameters, context)
+        reading = PoseReading(self.parameterAsDouble(parameters, "EYE_HEIGHT", context), wanted.uncertainty)
+        points = with_table(self, parameters, context, [point_of(row, reading) for row in rows], feedback)
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
-        eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         options, dem = viewshed_options(self, parameters, context), self.dem.open()
         folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
         outputs = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
-        viewer = Viewer(dem, kind, eye_height_m, options, feedback, folders["RASTERS"])
-        extras = Extras(viewer, extra_options(self, parameters, context), feedback)
+        viewer = Viewer(dem, kind, options, feedback, folders["RASTERS"])
+        extras = Extras(viewer, wanted, feedback)
         figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
-        for sight, viewshed in viewer.each(sights, (0.0, 0.9)):
-            outputs.add(sight, viewshed, extras.of(sight, viewshed))
-            figures.draw(sight, viewshed)
-        outputs.arrange(sights)
+        for point, viewshed in viewer.each(points, (0.0, 0.9)):
+            outputs.add(point, viewshed, extras.of(point, viewshed))
+            figures.draw(point, viewshed)
+        outputs.arrange(points)
         results = {
             "OUTPUT": outputs.write_count(self, parameters, "OUTPUT", context, feedback),
             "POLYGONS": outputs.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs),
@@ -169,7 +171,7 @@ class DirectedViewshed(DemAlgorithm):
 
 
 def pose_parameters():
-    """Field parameters in the order of `POSE_FIELDS`."""
+    """Field parameters of the pose."""
     field = shared.number_field
     heading = field("HEADING_FIELD", tr("Field with the heading (°)"), tr("True, clockwise from north."), "heading")
     others = [
@@ -195,24 +197,10 @@ def interval_parameters():
     ]
 
 
-def sight_of(row):
-    """Pose of a feature by its fields."""
+def point_of(row, reading):
+    """Read a point with the photograph that its field photo names."""
     names = row.feature.fields().names()
     photo = row.feature["photo"] if "photo" in names else None
     photo = str(photo) if isinstance(photo, str) and photo else None
-    numbers = row.numbers
-    return Sight(
-        name=Path(photo).name if photo else row.name,
-        photo=photo,
-        source_id=row.feature.id(),
-        longitude_deg=row.longitude_deg,
-        latitude_deg=row.latitude_deg,
-        eye_elevation_m=numbers["HEIGHT_FIELD"],
-        heading_deg=numbers["HEADING_FIELD"],
-        pitch_deg=numbers["PITCH_FIELD"],
-        roll_deg=numbers["ROLL_FIELD"],
-        hfov_deg=numbers["HFOV_FIELD"],
-        vfov_deg=numbers["VFOV_FIELD"],
-        heading_lo_deg=numbers["HEADING_LO_FIELD"],
-        heading_hi_deg=numbers["HEADING_HI_FIELD"],
-    )
+    point = photo_point(row, row.numbers, reading, photo)
+    return replace(point, name=Path(photo).name) if photo else point

@@ -13,7 +13,7 @@ from .shared.draped_raster import write_draped
 from .shared.feedback import warn
 from .shared.i18n import tr
 from .shared.styling import style_on_completion
-from .shared.views import add_view_parameters, open_views
+from .shared.views import Opening, add_view_parameters, open_views
 
 
 class DrapePhoto(DemAlgorithm):
@@ -101,7 +101,7 @@ class DrapePhoto(DemAlgorithm):
         )
         mosaic = Mosaic(Window(0, 0, *terrain.shape), self.parameterAsInt(parameters, "REFINE", context))
         count, reach = 0, options.max_distance_m
-        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.85)):
+        for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.85))):
             try:
                 count += drape(mosaic, photo, options) > 0
             except PhotoError as error:
@@ -122,12 +122,11 @@ def drape(mosaic, photo, options):
     """Add one photo; gives its number of cells."""
     from ..core.io.photo import read_photo
     from ..core.mapping.drape import build_picture_pyramid, drape_photo
-    from ..core.viewshed.viewshed import PhotoFrame, viewshed
+    from ..core.viewshed.viewshed import photo_viewshed
 
     if not photo.path:
         raise PhotoError(Message("The point names no photo."))
     picture = build_picture_pyramid(read_photo(photo.path).pixels)
-    sector = PhotoFrame(photo.view.camera, photo.view.pose)
-    seen = viewshed(photo.terrain, photo.observer, sector, options, subtask(photo.progress, 0.1, 0.6))
+    seen = photo_viewshed(photo.terrain, photo.view.photo, options, subtask(photo.progress, 0.1, 0.6))
     rest = subtask(photo.progress, 0.6, 1.0)
-    return drape_photo(mosaic, photo.terrain, photo.view, picture, seen.visible, seen.window, rest)
+    return drape_photo(mosaic, photo.terrain, photo.view, picture, seen, rest)

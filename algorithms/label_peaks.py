@@ -19,7 +19,7 @@ from .shared.outputs import write_features
 from .shared.picture_files import PictureFolder
 from .shared.styling import style_on_completion
 from .shared.summit_input import Summitry, add_summit_parameters
-from .shared.views import add_view_parameters, open_views, sight_options
+from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 
 class LabelPeaks(DemAlgorithm):
@@ -82,8 +82,8 @@ class LabelPeaks(DemAlgorithm):
         folder = self.parameterAsString(parameters, "PICTURES", context)
         pictures, rows, visible = PictureFolder(folder), [], 0
         reach = options.max_distance_m
-        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
-            shown = summits.shown(photo, options)
+        for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.95))):
+            shown = summits.shown(photo.view, options)
             marks = [summit.mark for summit in shown if summit.visible and photo.sized]
             visible += len([summit for summit in shown if summit.visible])
             rows += [_row(terrain, photo, summit) for summit in shown]

@@ -20,7 +20,7 @@ from .shared.image_features import ImageFeatures, line_specs, point_specs
 from .shared.outputs import write_features
 from .shared.picture_files import PictureFolder
 from .shared.styling import style_on_completion
-from .shared.views import add_view_parameters, open_views, sight_options
+from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 
 class MapToPixel(DemAlgorithm):
@@ -129,7 +129,7 @@ class MapToPixel(DemAlgorithm):
         folder = self.parameterAsString(parameters, "PICTURES", context)
         pictures = PictureFolder(folder)
         reach = options.max_distance_m
-        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
+        for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.95))):
             pictures.annotate(photo, *found.add(photo), feedback)
         results = {"COUNT": len(found.points) + len(found.lines), "VISIBLE_COUNT": found.visible_count}
         for name, style, title, specs, kind, rows in (

@@ -21,7 +21,7 @@ from .shared.fields import is_null, qgis_fields
 from .shared.i18n import tr
 from .shared.outputs import write_features
 from .shared.styling import style_on_completion
-from .shared.views import add_view_parameters, open_views
+from .shared.views import Opening, add_view_parameters, open_views
 
 
 class PhotoCoverage(DemAlgorithm):
@@ -113,7 +113,8 @@ class PhotoCoverage(DemAlgorithm):
 
         terrain = self.dem.open()
         reach = self.parameterAsDouble(parameters, "MAX_DISTANCE", context)
-        photos = list(open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.05), pixels=False))
+        opening = Opening(reach, (0.0, 0.05), pixels=False)
+        photos = list(open_views(self, parameters, context, feedback, terrain, opening))
         if not photos:
             raise QgsProcessingException(tr("None of the points is an oriented photo on this DEM."))
         geometries = self._area(parameters, context)
@@ -139,7 +140,7 @@ class PhotoCoverage(DemAlgorithm):
     def _see(self, photos, terrain, coverage, parameters, context, feedback):
         """Add every photo's viewshed; gives the cells that each sees."""
         from ..core.base.progress import subtask
-        from ..core.viewshed.viewshed import PhotoFrame, ViewshedOptions, viewshed
+        from ..core.viewshed.viewshed import ViewshedOptions, photo_viewshed
         from .shared.feedback import FeedbackProgress
 
         options = ViewshedOptions(
@@ -149,14 +150,13 @@ class PhotoCoverage(DemAlgorithm):
         progress, cells = FeedbackProgress(feedback), []
         for index, photo in enumerate(photos):
             part = subtask(progress, 0.05 + 0.85 * index / len(photos), 0.05 + 0.85 * (index + 1) / len(photos))
-            sector = PhotoFrame(photo.view.camera, photo.view.pose)
             try:
-                seen = viewshed(terrain, photo.observer, sector, options, part)
+                seen = photo_viewshed(terrain, photo.view.photo, options, part)
             except PhotoError as error:
                 warn(feedback, photo.name, error.message)
                 cells.append(0)
                 continue
-            cells.append(coverage.add(photo.name, terrain, photo.view, seen.visible, seen.window))
+            cells.append(coverage.add(photo.name, terrain, photo.view, seen))
         return cells
 
     def _area(self, parameters, context):

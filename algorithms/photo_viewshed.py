@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsProcessingParameterBoolean
 
 from ..core.base.progress import subtask
@@ -27,6 +25,7 @@ from .shared.orientation import (
 )
 from .shared.oriented import oriented_specs
 from .shared.outputs import write_features
+from .shared.photo_points import oriented_point
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.result_figures import ResultFigures, figures_out, stations_of
@@ -35,7 +34,7 @@ from .shared.styling import style_on_completion
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
-from .shared.visibility import Sight, add_range_parameters, range_fault, viewshed_options
+from .shared.visibility import add_range_parameters, range_fault, viewshed_options
 
 SHARE = (0.0, 0.95)
 ORIENTATION_PART = 0.8
@@ -184,13 +183,14 @@ class PhotoViewshed(DemAlgorithm):
             for row, oriented in zip(photos.rows, oriented_photos):
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
                 statuses.append(oriented.orientation.status)
-                sight = self._sight(parameters, context, row, oriented)
-                viewshed = view(sight, oriented.orientation.status, len(statuses) - 1)
+                point = oriented_point(row, oriented, extras.options.uncertainty)
+                point = self._limited(parameters, context, point, oriented)
+                viewshed = view(point, oriented.orientation.status, len(statuses) - 1)
                 if viewshed is None:
                     report.add(oriented)
                     continue
-                more = extras.of(sight, viewshed, oriented.horizon)
-                facts, panels = ground.add(sight, viewshed, more), figures.draw(sight, viewshed, oriented.preview)
+                more = extras.of(point, viewshed, oriented.horizon)
+                facts, panels = ground.add(point, viewshed, more), figures.draw(point, viewshed, oriented.preview)
                 report.add(oriented, facts, panels)
             feedback.pushInfo(summary(statuses))
             outputs = self._write(parameters, context, feedback, photos, features, ground)
@@ -201,24 +201,23 @@ class PhotoViewshed(DemAlgorithm):
     def _viewer(self, parameters, context, dem, feedback, folder):
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         options = viewshed_options(self, parameters, context)
-        eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
-        return Viewer(dem, kind, eye_height_m, options, feedback, folder)
+        return Viewer(dem, kind, options, feedback, folder)
 
-    def _sight(self, parameters, context, row, oriented):
-        sight = sight_of(row, oriented)
+    def _limited(self, parameters, context, point, oriented):
+        """Give the point its photo's own skyline where that is wanted."""
         if not self.parameterAsBoolean(parameters, "OWN_SKYLINE", context):
-            return sight
-        return with_own(sight, oriented, self.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context))
+            return point
+        return with_own(point, oriented, self.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context))
 
     def _view_of(self, parameters, context, viewer, method, count):
         """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
         doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
         progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
 
-        def view(sight, status, index):
-            if sight.heading_deg is None or not (status == "accepted" or doubtful):
+        def view(point, status, index):
+            if point.posed is None or not (status == "accepted" or doubtful):
                 return None
-            return viewer.view(sight, subtask(progress, (index + ORIENTATION_PART) / count, (index + 1) / count))
+            return viewer.view(point, subtask(progress, (index + ORIENTATION_PART) / count, (index + 1) / count))
 
         return view
 
@@ -231,24 +230,3 @@ class PhotoViewshed(DemAlgorithm):
         specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs()
         style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         return {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}
-
-
-def sight_of(row, oriented):
-    """Pose of a photo just oriented."""
-    best, camera = oriented.orientation.best, oriented.camera
-    return Sight(
-        name=Path(oriented.path).name if oriented.path else row.name,
-        photo=oriented.path or None,
-        source_id=row.feature.id(),
-        longitude_deg=oriented.longitude_deg,
-        latitude_deg=oriented.latitude_deg,
-        eye_elevation_m=oriented.eye_elevation_m,
-        heading_deg=None if best is None else best.pose.heading_deg % 360,
-        pitch_deg=None if best is None else best.pose.pitch_deg,
-        roll_deg=None if best is None else best.pose.roll_deg,
-        hfov_deg=None if camera is None else camera.hfov_deg,
-        vfov_deg=None if camera is None else camera.vfov_deg,
-        heading_lo_deg=oriented.orientation.heading_lo_deg,
-        heading_hi_deg=oriented.orientation.heading_hi_deg,
-        width_px=None if camera is None else camera.width_px,
-    )

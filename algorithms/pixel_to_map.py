@@ -13,7 +13,14 @@ from .shared.monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_
 from .shared.outputs import write_features
 from .shared.pixel_input import add_pixel_parameters, pixel_fault, pixel_features
 from .shared.styling import style_on_completion
-from .shared.views import add_uncertainty_parameters, add_view_parameters, open_views, sight_options, uncertainty_of
+from .shared.views import (
+    Opening,
+    add_uncertainty_parameters,
+    add_view_parameters,
+    open_views,
+    sight_options,
+    uncertainty_of,
+)
 
 
 class PixelToMap(DemAlgorithm):
@@ -124,8 +131,9 @@ class PixelToMap(DemAlgorithm):
         step_px = self.parameterAsDouble(parameters, "STEP", context)
         placed = MapFeatures(terrain, drawn, options, coverage, step_px)
         reach = options.max_distance_m
-        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
-            placed.add(photo, uncertainty_of(self, parameters, context, photo.feature), feedback)
+        opening = Opening(reach, (0.0, 0.95), uncertainty=uncertainty_of(self, parameters, context))
+        for photo in open_views(self, parameters, context, feedback, terrain, opening):
+            placed.add(photo, feedback)
         placed.tell_unused(feedback)
         results = {"COUNT": placed.count, "SKY_COUNT": placed.sky_count}
         for name, style, title, specs, kind, rows in (

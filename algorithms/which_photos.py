@@ -19,7 +19,7 @@ from .shared.i18n import tr
 from .shared.map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
 from .shared.outputs import write_features
 from .shared.styling import style_on_completion
-from .shared.views import add_view_parameters, open_views, sight_options
+from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 NET_CELLS = 1.0
 """Areas are asked in a net of this many DEM cells."""
@@ -103,7 +103,7 @@ class WhichPhotos(DemAlgorithm):
         above_m = self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context)
         least = self.parameterAsDouble(parameters, "MIN_SHARE", context) / 100
         found, reach = {}, options.max_distance_m
-        for photo in open_views(self, parameters, context, feedback, terrain, reach, (0.0, 0.95)):
+        for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.95))):
             samples = [samples_of(terrain, photo.view.frame, geometry) for _, _, geometry in places]
             sightings = find_sightings(terrain, photo.view, samples, options, above_m, photo.progress)
             for sighting in sightings:

@@ -4,7 +4,7 @@ Each scene is rendered from procedural mountains with exact ground truth for eve
 the map twice:
 
 - *geometry*: with the true pose, position and DEM, which leaves the method's own error against the renderer;
-- *real life*: with pose, focal length, position and eye height drawn from the default `PoseUncertainty`, and a DEM
+- *real life*: with pose, focal length, position and eye height drawn from `ERRORS`, and a DEM
   that differs from the ground by smooth noise of 3 m. Error ellipses for 50, 68 and 90 % are asked how often they
   hold the truth.
 
@@ -24,11 +24,12 @@ from pathlib import Path
 import numpy as np
 from scipy.ndimage import gaussian_filter
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.uncertainty import PoseUncertainty
 from skyline_viewshed.core.base.view import open_view
-from skyline_viewshed.core.mapping.monoplot import ground_ellipses, place_pixels
-from skyline_viewshed.core.mapping.projecting import project_places
+from skyline_viewshed.core.mapping.monoplot import EllipseOptions, ground_ellipses, place_pixels
+from skyline_viewshed.core.mapping.projecting import Places, project_places
 from skyline_viewshed.core.mapping.sightline import SightOptions
 from skyline_viewshed.core.simulate.render import render_view
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
@@ -39,6 +40,8 @@ DISTANCES_M = (0, 500, 1000, 2000, 4000, 8000, 12_000)
 INCIDENCES_DEG = (0, 45, 60, 70, 80, 85, 90)
 COVERAGES = (0.5, 0.68, 0.9)
 PIXELS = 250
+ERRORS = PoseUncertainty(0.5, 0.2, 0.3, 0.01, 5.0, 2.0, 3.0)
+"""Of the published figures; the defaults for photographs of which less is known are larger."""
 
 
 def main(arguments=None):
@@ -86,9 +89,9 @@ def measure(seed, index):
 
 def geometry(terrain, observer, camera, pose, x, y, truth):
     """Errors with everything known, and the way back to the pixel."""
-    view = open_view(terrain, observer, camera, pose, RANGE_M)
+    view = open_view(terrain, PosedPhoto(camera, pose, observer), RANGE_M)
     placed = place_pixels(terrain, view, x, y, SightOptions(max_distance_m=RANGE_M))
-    back = project_places(terrain, view, placed.hits.east_m, placed.hits.north_m)
+    back = project_places(terrain, view, Places(placed.hits.east_m, placed.hits.north_m))
     return {
         "distance_m": np.hypot(*truth),
         "incidence_deg": placed.incidence_deg,
@@ -99,29 +102,29 @@ def geometry(terrain, observer, camera, pose, x, y, truth):
 
 def real_life(terrain, observer, camera, pose, x, y, truth, random):
     """Errors and ellipses with a pose, position and DEM that are only known so well."""
-    sigma = PoseUncertainty()
-    off = random.standard_normal(7) * sigma.sigmas
+    off = random.standard_normal(7) * ERRORS.sigmas
     noise = gaussian_filter(random.standard_normal(terrain.shape), 8.0)
-    dem = replace(terrain, elevation_m=(terrain.elevation_m + noise * (sigma.dem_m / noise.std())).astype(np.float32))
-    eye = open_view(terrain, observer, camera, pose, RANGE_M).eye_elevation_m + random.standard_normal() * sigma.eye_m
+    dem = replace(terrain, elevation_m=(terrain.elevation_m + noise * (ERRORS.dem_m / noise.std())).astype(np.float32))
+    true_eye_m = open_view(terrain, PosedPhoto(camera, pose, observer), RANGE_M).eye_elevation_m
+    eye = true_eye_m + random.standard_normal() * ERRORS.eye_m
     per_degree = ArrayTerrain.METRES_PER_DEGREE
     place = (
         observer.longitude_deg + off[4] / per_degree / np.cos(np.radians(terrain.latitude_deg)),
         observer.latitude_deg + off[5] / per_degree,
     )
-    believed = open_view(
-        dem,
-        Observer(*place, eye_elevation_m=eye),
+    photo = PosedPhoto(
         replace(camera, focal_px=camera.focal_px * float(np.exp(off[3]))),
         Pose(pose.heading_deg + off[0], pose.pitch_deg + off[1], pose.roll_deg + off[2]),
-        RANGE_M,
+        Observer(*place, eye_elevation_m=eye),
+        ERRORS,
     )
+    believed = open_view(dem, photo, RANGE_M)
     options = SightOptions(max_distance_m=RANGE_M)
     placed = place_pixels(dem, believed, x, y, options)
     east, north = truth[0] - placed.hits.east_m - off[4], truth[1] - placed.hits.north_m - off[5]
     result = {"error_m": np.hypot(east, north)}
     for coverage in COVERAGES:
-        ellipse = ground_ellipses(dem, believed, placed, sigma, coverage, options)
+        ellipse = ground_ellipses(dem, believed, placed, EllipseOptions(coverage), options)
         angle = np.radians(ellipse.azimuth_deg)
         along, across = east * np.sin(angle) + north * np.cos(angle), east * np.cos(angle) - north * np.sin(angle)
         inside = (along / ellipse.semi_major_m) ** 2 + (across / ellipse.semi_minor_m) ** 2 <= 1

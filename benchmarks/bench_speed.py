@@ -19,7 +19,7 @@ import exact_viewshed as exact
 import make_dems
 import numpy as np
 from osgeo import gdal
-from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Terrain, Window
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.io.crs import to_wgs84
 from skyline_viewshed.core.io.raster import open_dem
@@ -59,7 +59,7 @@ class Scene:
         """Terrain whose cells are in memory already, with the file's true frame."""
         cells, dem = self.dem.read(Window(0, 0, *self.dem.shape)), self.dem
 
-        class Memory:
+        class Memory(Terrain):
             shape = dem.shape
 
             def read(self, window):

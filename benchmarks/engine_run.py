@@ -32,7 +32,8 @@ def horizon(dem, observer, radius_m, output):
 
 def ground(dem, observer, radius_m, output, wedge, packed):
     """The viewshed as a raster; packed: more cells than fit into the memory cap as bytes, not written."""
-    from skyline_viewshed.core.io.write_raster import write_raster
+    from skyline_viewshed.core.base.viewed import ArraySink
+    from skyline_viewshed.core.io.write_raster import RasterLayout, write_raster
     from skyline_viewshed.core.viewshed.viewshed import (
         FullCircle,
         PackedSink,
@@ -46,9 +47,9 @@ def ground(dem, observer, radius_m, output, wedge, packed):
         start, end = map(float, wedge)
         sector = Wedge((start + (end - start) % 360 / 2) % 360, (end - start) % 360)
     options = ViewshedOptions(max_distance_m=radius_m, refraction_coefficient=REFRACTION)
-    result = viewshed(dem, observer, sector, options, sink=PackedSink if packed else None)
+    result = viewshed(dem, observer, sector, options, sink=PackedSink if packed else ArraySink)
     if not packed:
-        write_raster(output, result.values, dem, result.window, nodata=255)
+        write_raster(output, result.values, dem, result.window, RasterLayout(nodata=255))
 
 
 def main(task, path, x, y, radius_m, output, *wedge):

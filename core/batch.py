@@ -20,11 +20,12 @@ from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
+from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.inner import inner_terrain
 from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
 from .match.landmarks import Landmark
-from .match.prior import TYPICAL_POSITION_ERROR_M, HeadingPrior, compass_prior, true_heading_deg
+from .match.prior import HeadingPrior, compass_prior, true_heading_deg
 from .pipeline import Hints, OrientOptions, Setting, camera_prior, cast_horizon, orient_photo
 from .skyline.given import evidence_from_line, evidence_from_mask
 

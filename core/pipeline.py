@@ -11,10 +11,11 @@ from .base.messages import Message
 from .base.model import HorizonProfile, Orientation, OrientedPhoto, SkylineEvidence
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, ground_elevation_m
+from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
 from .match.inputs import MatchInputs
-from .match.prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
+from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
 from .paper.method import PaperOptions, orient_by_paper

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.io.crs import local_plane, spatial_reference
-from ..core.io.write_raster import write_raster
+from ..core.io.write_raster import RasterLayout, write_raster
 
 DEM_NODATA = -9999.0
 
@@ -34,7 +34,7 @@ def write_dem(path, elevation_m, cell_m, longitude_deg=0.0, latitude_deg=0.0):
     elevation_m = np.asarray(elevation_m, np.float32)
     grid = _CentredGrid(elevation_m.shape, cell_m, longitude_deg, latitude_deg)
     values = np.where(np.isfinite(elevation_m), elevation_m, np.float32(DEM_NODATA))
-    write_raster(path, values, grid, nodata=DEM_NODATA, descriptions=["elevation [m]"])
+    write_raster(path, values, grid, layout=RasterLayout(nodata=DEM_NODATA, descriptions=["elevation [m]"]))
 
 
 class _CentredGrid:

@@ -20,8 +20,8 @@ MARGIN_CELLS = 6
 
 
 @dataclass(frozen=True, eq=False)
-class DetailedTerrain:
-    """A finer terrain around a coarse one; satisfies `Terrain`.
+class DetailedTerrain(Terrain):
+    """A finer terrain around a coarse one.
 
     Attributes
     ----------

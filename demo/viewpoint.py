@@ -9,9 +9,12 @@ import numpy as np
 from ..core.base.camera import Camera, Pose
 from ..core.base.errors import ObserverError, TerrainError
 from ..core.base.messages import Message
+from ..core.base.posed import PosedPhoto
 from ..core.base.progress import SILENT
 from ..core.base.terrain import Observer, Terrain, ground_elevation_m
-from ..core.simulate.cast import cast_fan, read_patch
+from ..core.base.view import View
+from ..core.simulate.cast import cast_fan
+from ..core.simulate.patch import read_patch
 
 SCOUT_FOCAL_PX = 60.0
 """The scout looks around at half a degree."""
@@ -99,7 +102,8 @@ def _look(terrain, frame, eye_m, camera, generator, options):
     scout = Camera(2, 2, SCOUT_FOCAL_PX)
     turns = (-180.0, 180.0)
     patch = read_patch(terrain, frame, turns, 0.0, options.range_m)
-    fan = cast_fan(patch, frame, scout, Pose(0.0), turns, eye_m, options.range_m, SILENT)
+    view = View(PosedPhoto(scout, Pose(0.0), Observer(frame.longitude_deg, frame.latitude_deg)), frame, eye_m)
+    fan = cast_fan(patch, view, turns, options.range_m, SILENT)
     tangent = fan.highest[:, -1]
     distance = fan.distance_m[np.argmax(fan.tangent, axis=1)]
     elevation = np.degrees(np.arctan(tangent))
@@ -130,7 +134,8 @@ def _clear(terrain, finer, observer, camera, pose, options):
         eye_m = ground_elevation_m(model, frame) + options.eye_height_m
         turns = -camera.hfov_deg / 2 - 1, camera.hfov_deg / 2 + 1
         patch = read_patch(model, frame, turns, pose.heading_deg, range_m)
-        fan = cast_fan(patch, frame, Camera(2, 2, 4 * SCOUT_FOCAL_PX), pose, turns, eye_m, range_m, SILENT)
+        view = View(PosedPhoto(Camera(2, 2, 4 * SCOUT_FOCAL_PX), pose, observer), frame, eye_m)
+        fan = cast_fan(patch, view, turns, range_m, SILENT)
         horizons.append(np.degrees(np.arctan(fan.highest[:, -1])))
     return bool(np.mean(horizons[1] > horizons[0] + 0.5) < 0.15)
 

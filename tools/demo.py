@@ -87,7 +87,7 @@ def draw_map(results, dem_path, target):
     """Shaded relief with cameras and the ground they show."""
     from osgeo import gdal, ogr
     from skyline_viewshed.core.base.terrain import Window
-    from skyline_viewshed.core.figures.ground import SeenGround, ground_map
+    from skyline_viewshed.core.figures.ground import GroundMapOptions, SeenGround, ground_map
     from skyline_viewshed.core.figures.map import MapObserver, map_image
     from skyline_viewshed.core.figures.raster import encode_png
     from skyline_viewshed.core.io.raster import open_dem
@@ -112,8 +112,7 @@ def draw_map(results, dem_path, target):
         dem.frame(*middle, 1000.0),
         SeenGround(Window(0, 0, rows, cols), counts, unknown=65535),
         observers,
-        shown=len(observers),
-        most_cells=MAP_CELLS,
+        options=GroundMapOptions(len(observers), MAP_CELLS),
     )
     target.write_bytes(encode_png(map_image(data, 1400)))
 

@@ -73,11 +73,11 @@ def _solve(path, dem):
     """What the matcher finds, before it is judged; None where it refuses the picture."""
     from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
     from skyline_viewshed.core.horizon.horizon import horizon_profile
     from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match.inputs import MatchInputs
-    from skyline_viewshed.core.match.prior import TYPICAL_POSITION_ERROR_M
     from skyline_viewshed.core.match.robust import find_answers
     from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
     from skyline_viewshed.core.skyline.evidence import skyline_evidence

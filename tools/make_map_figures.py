@@ -15,7 +15,7 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "build" / "plugins"))
 from skyline_viewshed.core.figures.hillshade import hillshade  # noqa: E402
-from skyline_viewshed.core.figures.raster import draw_dot, draw_line, encode_jpeg, resized, tint  # noqa: E402
+from skyline_viewshed.core.figures.raster import LineStyle, draw_dot, draw_line, encode_jpeg, resized, tint  # noqa: E402
 
 RUN, IMAGES, HELP = ROOT / "build" / "photo-to-map", ROOT / "docs" / "images", ROOT / "icons" / "help"
 DEM = ROOT / "build" / "demo" / "sample" / "dem" / "mountains.tif"
@@ -54,7 +54,7 @@ def found():
     """The photograph with the place that was asked for."""
     pixels = np.array(Image.open(ROOT / "build" / "demo" / "sample" / "photos" / "midday.jpg").convert("RGB"))
     turn = np.linspace(0, 2 * np.pi, 60)
-    draw_line(pixels, 198 + 42 * np.cos(turn), 865 + 42 * np.sin(turn), (217, 72, 15), 7, casing_px=2)
+    draw_line(pixels, 198 + 42 * np.cos(turn), 865 + 42 * np.sin(turn), (217, 72, 15), 7, LineStyle(casing_px=2))
     return pixels[480:, :640]
 
 
@@ -92,9 +92,9 @@ def with_front(pixels, cell, extent):
         return (np.asarray(x) - extent[0]) / cell - 0.5, (extent[3] - np.asarray(y)) / cell - 0.5
 
     for x, y in chains("ellipses"):
-        draw_line(pixels, *place(x, y), (255, 235, 120), 2, casing_px=1)
+        draw_line(pixels, *place(x, y), (255, 235, 120), 2, LineStyle(casing_px=1))
     for x, y in chains("lines"):
-        draw_line(pixels, *place(x, y), (255, 154, 31), 3, casing_px=1)
+        draw_line(pixels, *place(x, y), (255, 154, 31), 3, LineStyle(casing_px=1))
     draw_dot(pixels, *(float(v) for v in place(*camera())), 5, (255, 255, 255))
     return pixels
 

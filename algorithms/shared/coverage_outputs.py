@@ -76,7 +76,7 @@ def _flip(flips, col, row):
 
 def write_coverage(algorithm, parameters, context, coverage, dem, feedback):
     """Write the raster of counts, and that of sampling distances where it is wanted; gives both paths."""
-    from ...core.io.write_raster import write_raster
+    from ...core.io.write_raster import RasterLayout, write_raster
 
     path = algorithm.parameterAsOutputLayer(parameters, "OUTPUT", context)
     make_folder_of(path)
@@ -84,14 +84,16 @@ def write_coverage(algorithm, parameters, context, coverage, dem, feedback):
     count[np.isnan(dem.read(coverage.window)) & (coverage.count == 0)] = COUNT_NODATA
     facts = {"CONTENT": "number of photographs that see the cell", "PHOTOS": len(coverage.names)}
     names = [tr("photographs that see the cell")]
-    write_raster(path, count, dem, coverage.window, nodata=COUNT_NODATA, descriptions=names, metadata=facts)
+    layout = RasterLayout(nodata=COUNT_NODATA, descriptions=names, metadata=facts)
+    write_raster(path, count, dem, coverage.window, layout)
     style_on_completion(context, path, "viewshed", tr("Number of photos"), (), algorithm.displayName())
     if parameters.get("GSD") is None:
         return path, None
     gsd = algorithm.parameterAsOutputLayer(parameters, "GSD", context)
     make_folder_of(gsd)
     names = [tr("metres per pixel across the view, best photo")]
-    write_raster(gsd, coverage.best_gsd_m, dem, coverage.window, nodata=float("nan"), descriptions=names)
+    layout = RasterLayout(nodata=float("nan"), descriptions=names)
+    write_raster(gsd, coverage.best_gsd_m, dem, coverage.window, layout)
     style_on_completion(context, gsd, "gsd", tr("Best ground sampling distance"), (), algorithm.displayName())
     return path, gsd
 

@@ -41,7 +41,7 @@ def write_draped(path, gsd_path, mosaic, dem, feedback):
     """
     from contextlib import ExitStack
 
-    from ...core.io.write_raster import new_raster
+    from ...core.io.write_raster import RasterLayout, new_raster
 
     if not mosaic.tiles:
         raise QgsProcessingException(tr("No photo shows any ground of this DEM, so there is nothing to drape."))
@@ -50,16 +50,14 @@ def write_draped(path, gsd_path, mosaic, dem, feedback):
     with ExitStack() as stack:
         make_folder_of(path)
         names = [tr("red"), tr("green"), tr("blue"), tr("opacity")]
-        colour = stack.enter_context(
-            new_raster(path, grid, window, dtype="uint8", bands=4, descriptions=names, alpha=True)
-        )
+        layout = RasterLayout("uint8", bands=4, descriptions=names, alpha=True)
+        colour = stack.enter_context(new_raster(path, grid, window, layout))
         distance = None
         if gsd_path:
             make_folder_of(gsd_path)
             names = [tr("metres per pixel across the view"), tr("metres per pixel along the view")]
-            distance = stack.enter_context(
-                new_raster(gsd_path, grid, window, bands=2, nodata=float("nan"), descriptions=names)
-            )
+            layout = RasterLayout(bands=2, nodata=float("nan"), descriptions=names)
+            distance = stack.enter_context(new_raster(gsd_path, grid, window, layout))
         for top in range(0, window.rows, TILE_CELLS):
             checkpoint(progress, 0.85 + 0.15 * top / window.rows)
             rows = min(TILE_CELLS, window.rows - top)

@@ -93,13 +93,11 @@ class ImageFeatures:
 
     def _add_points(self, photo, identifier, name, geometry):
         from ...core.figures.annotate import NamedPoint
-        from ...core.mapping.projecting import STATE_NAMES, VISIBLE, project_places
+        from ...core.mapping.projecting import STATE_NAMES, Places, PlaceState, project_places
 
         x, y, _ = places_of(geometry, "point")[0]
-        shown = project_places(
-            self.terrain, photo.view, *self._local(photo, x, y), height_above_m=self.height_above_m,
-            options=self.options,
-        )  # fmt: skip
+        places = Places(*self._local(photo, x, y), height_above_m=self.height_above_m)
+        shown = project_places(self.terrain, photo.view, places, self.options)
         marks = []
         for k in range(x.size):
             at = number(shown.x_px[k]), number(shown.y_px[k])
@@ -108,20 +106,20 @@ class ImageFeatures:
             values.append(number(shown.elevation_m[k]))
             geometry = None if None in at else QgsGeometry.fromPointXY(_on_picture(*at))
             self.points.append((geometry, values))
-            if shown.state[k] == VISIBLE:
+            if shown.state[k] == PlaceState.VISIBLE:
                 self.visible_count += 1
                 marks.append(NamedPoint(name or str(identifier), *at))
         return marks
 
     def _add_lines(self, photo, identifier, name, geometry, kind):
         from ...core.figures.annotate import Stroke
-        from ...core.mapping.projecting import HIDDEN, STATE_NAMES, VISIBLE, project_line
+        from ...core.mapping.projecting import STATE_NAMES, Places, PlaceState, project_line
 
         parts = [self._local(photo, x, y) for x, y, _ in places_of(geometry, kind)]
         runs = [
             (part, run)
             for part, (east, north) in enumerate(parts)
-            for run in project_line(self.terrain, photo.view, east, north, None, self.step_px, self.options)
+            for run in project_line(self.terrain, photo.view, Places(east, north), self.step_px, self.options)
         ]
         share = self._visible_area(photo, parts) if kind == "polygon" else _visible_length(parts, runs)
         strokes = []
@@ -129,28 +127,28 @@ class ImageFeatures:
             values = [photo.path or photo.name, identifier, name, STATE_NAMES[run.state], part, *run.share]
             values += [number(run.distance_m.min()), number(run.distance_m.max()), number(share)]
             self.lines.append((_line_geometry(run), values))
-            self.visible_count += run.state == VISIBLE
-            if run.state in (VISIBLE, HIDDEN):
-                strokes.append(Stroke(run.x_px, run.y_px, run.state == VISIBLE))
+            self.visible_count += run.state == PlaceState.VISIBLE
+            if run.state in (PlaceState.VISIBLE, PlaceState.HIDDEN):
+                strokes.append(Stroke(run.x_px, run.y_px, run.state == PlaceState.VISIBLE))
         return strokes
 
     def _visible_area(self, photo, rings):
-        from ...core.mapping.projecting import project_places, sample_area
+        from ...core.mapping.projecting import Places, project_places, sample_area
 
         nearest = min(float(np.hypot(east, north).min()) for east, north in rings)
         spacing = max(AREA_SAMPLE_PX * nearest / photo.view.camera.focal_px, 0.5 * photo.view.frame.cell_m)
         east, north = sample_area(rings, spacing)
         if not east.size:
             return np.nan
-        return project_places(self.terrain, photo.view, east, north, options=self.options).visible.mean()
+        return project_places(self.terrain, photo.view, Places(east, north), self.options).visible.mean()
 
 
 def _visible_length(parts, runs):
-    from ...core.mapping.projecting import VISIBLE
+    from ...core.mapping.projecting import PlaceState
 
     lengths = [float(np.hypot(np.diff(east), np.diff(north)).sum()) for east, north in parts]
     total = sum(lengths)
-    seen = sum((run.share[1] - run.share[0]) * lengths[part] for part, run in runs if run.state == VISIBLE)
+    seen = sum((run.share[1] - run.share[0]) * lengths[part] for part, run in runs if run.state == PlaceState.VISIBLE)
     return seen / total if total else np.nan
 
 

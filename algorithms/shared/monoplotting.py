@@ -98,7 +98,7 @@ class MapFeatures:
         """Features written."""
         return len(self.points) + len(self.lines) + len(self.polygons)
 
-    def add(self, photo, uncertainty, feedback):
+    def add(self, photo, feedback):
         """Place what was drawn on one photo."""
         from ...core.base.pixel_features import for_photo
 
@@ -107,36 +107,35 @@ class MapFeatures:
             warn(feedback, photo.name, tr("The picture's size is unknown, so its pixels cannot be placed."))
             return
         for index, feature in enumerate(mine):
-            self._used.add(id(feature))
+            self._used.add(feature)
             part = subtask(photo.progress, index / len(mine), (index + 1) / len(mine))
             if feature.kind == "point":
-                self._add_points(photo, feature, uncertainty, part)
+                self._add_points(photo, feature, part)
             else:
-                self._add_drawn(photo, feature, uncertainty, part)
+                self._add_drawn(photo, feature, part)
 
     def tell_unused(self, feedback):
         """Warn of features whose photo is not among the points."""
-        lost = sorted({f.photo for f in self.drawn if id(f) not in self._used})
+        lost = sorted({f.photo for f in self.drawn if f not in self._used})
         if lost:
             names = ", ".join(lost[:5]) + (" ..." if len(lost) > 5 else "")
             feedback.pushWarning(tr("No oriented photo point for: {names}").format(names=names))
 
-    def _place(self, photo, xy, uncertainty, progress):
-        from ...core.mapping.monoplot import ground_ellipses, place_pixels
+    def _place(self, photo, xy, progress):
+        from ...core.mapping.monoplot import EllipseOptions, ground_ellipses, place_pixels
 
         placed = place_pixels(self.terrain, photo.view, xy[:, 0], xy[:, 1], self.options, subtask(progress, 0, 0.2))
         ellipse = ground_ellipses(
-            self.terrain, photo.view, placed, uncertainty, self.coverage, self.options,
-            progress=subtask(progress, 0.2, 1.0),
-        )  # fmt: skip
+            self.terrain, photo.view, placed, EllipseOptions(self.coverage), self.options, subtask(progress, 0.2, 1.0)
+        )
         x, y = map_of_local(self.terrain, photo.view.frame, placed.hits.east_m, placed.hits.north_m)
         return placed, ellipse, x, y
 
-    def _add_points(self, photo, feature, uncertainty, progress):
+    def _add_points(self, photo, feature, progress):
         from ...core.mapping.sightline import STATE_NAMES
 
         xy = np.vstack(feature.parts)
-        placed, ellipse, x, y = self._place(photo, xy, uncertainty, progress)
+        placed, ellipse, x, y = self._place(photo, xy, progress)
         hits = placed.hits
         for k in range(len(xy)):
             ground = bool(hits.on_ground[k])
@@ -162,12 +161,12 @@ class MapFeatures:
         x, y = map_of_local(self.terrain, photo.view.frame, *places)
         return QgsGeometry.fromPolygonXY([[QgsPointXY(a, b) for a, b in zip(x, y)]])
 
-    def _add_drawn(self, photo, feature, uncertainty, progress):
+    def _add_drawn(self, photo, feature, progress):
         from ...core.mapping.sightline import STATE_NAMES
 
         closed = feature.kind == "polygon"
         chains = [_followed(part, self.step_px, closed) for part in feature.parts]
-        placed, ellipse, x, y = self._place(photo, np.vstack(chains), uncertainty, progress)
+        placed, ellipse, x, y = self._place(photo, np.vstack(chains), progress)
         hits = placed.hits
         ground = hits.on_ground
         edges = np.cumsum([0] + [len(chain) for chain in chains])

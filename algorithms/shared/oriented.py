@@ -49,8 +49,8 @@ def oriented_values(oriented, max_distance_m):
         Range that the run used [m].
     """
     answer, camera = oriented.orientation, oriented.camera
-    pose = None if answer.best is None else answer.best.pose
-    heading = None if pose is None else float(wrap_360(pose.heading_deg))
+    pose = None if oriented.view is None else oriented.view.pose
+    heading = None if pose is None else pose.heading_deg
     others = [float(wrap_360(candidate.pose.heading_deg)) for candidate in answer.candidates[1:3]]
     left, right = view_edges(heading, camera, oriented.convergence_deg)
     values = {

@@ -31,7 +31,7 @@ def figures_out(name="FIGURES"):
 
 
 @dataclass(frozen=True)
-class Station:
+class PhotoPlace:
     """Where and when a photograph was taken.
 
     Attributes
@@ -55,7 +55,7 @@ def stations_of(rows):
         if None in place:
             place = tuple(number_or_none(_value(row.feature, name)) for name in ("longitude", "latitude"))
         if None not in place and place != (0, 0):
-            found.append(Station(*place, _seconds(_value(row.feature, "timestamp"))))
+            found.append(PhotoPlace(*place, _seconds(_value(row.feature, "timestamp"))))
     return found
 
 
@@ -81,7 +81,7 @@ class ResultFigures:
     dem : core.io.raster.Dem
     folder : str
         For the PNG files; empty for none.
-    stations : list of Station
+    stations : list of PhotoPlace
         Of all photographs, for the way between them.
     feedback : QgsProcessingFeedback
     for_report : bool
@@ -91,14 +91,15 @@ class ResultFigures:
     def __init__(self, dem, folder, stations, feedback, for_report=False):
         self.dem, self.feedback, self.stations = dem, feedback, stations
         self.files, self.wanted = PictureFolder(folder), bool(folder) or for_report
+        self._made = None
 
-    def draw(self, sight, viewshed, pixels=None):
+    def draw(self, point, viewshed, pixels=None):
         """Give the panels as uint8 (h, w, 3) pixels, and write them to the folder; None where not wanted.
 
         Parameters
         ----------
-        sight : visibility.Sight
-        viewshed : core.viewshed.viewshed.Viewshed or KeptViewshed
+        point : PhotoPoint
+        viewshed : core.base.viewed.Viewshed
         pixels : uint8 (h, w, 3) array or None
             The photograph; None reads a reduced copy of it.
         """
@@ -108,48 +109,48 @@ class ResultFigures:
         from ...core.figures.raster import encode_png
 
         try:
-            photo = self._photo(sight) if pixels is None else pixels
-            panels = three_panels(photo, self._map(sight, viewshed), HEIGHT_PX, say=marked)
+            photo = self._photo(point) if pixels is None else pixels
+            panels = three_panels(photo, self._map(point, viewshed), HEIGHT_PX, say=marked)
             if self.files.folder is not None:
-                self._write(sight, encode_png(panels, quickly=True))
+                self._write(point, encode_png(panels, quickly=True))
             return panels
         except MissingPackageError as error:
-            warn(self.feedback, sight.name, error.message)
+            warn(self.feedback, point.name, error.message)
             self.wanted = False
             return None
 
-    def _write(self, sight, content):
-        path = self.files.folder / f"{self.files.stem(sight.name)}.png"
+    def _write(self, point, content):
+        path = self.files.folder / f"{self.files.stem(point.name)}.png"
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             write_whole(path, content)
         except OSError as error:
             raise OutputError.of_file(path, error.strerror or str(error)) from None
 
-    def _photo(self, sight):
+    def _photo(self, point):
         from ...core.io.photo import read_photo
 
-        if not sight.photo:
+        if not point.path:
             return None
         try:
-            return read_photo(sight.photo, PREVIEW_PX).pixels
+            return read_photo(point.path, PREVIEW_PX).pixels
         except PhotoError as error:
-            warn(self.feedback, sight.name, error.message)
+            warn(self.feedback, point.name, error.message)
             return None
 
-    def _map(self, sight, viewshed):
+    def _map(self, point, viewshed):
         from ...core.figures.ground import SeenGround, ground_map
         from ...core.figures.map import MapObserver
 
         frame = viewshed.frame
-        eye = MapObserver(frame.col_px, frame.row_px, sight.heading_deg, sight.hfov_deg)
+        eye = MapObserver(frame.col_px, frame.row_px, point.heading_deg, point.hfov_deg)
         others, track_px = self._surroundings()
         seen = SeenGround(viewshed.window, viewshed.values)
         return ground_map(self.dem, frame, seen, [eye, *others], track_px)
 
     def _surroundings(self):
         """The other stations as `MapObserver`s, and the way through them in pixels or None; made once."""
-        if not hasattr(self, "_made"):
+        if self._made is None:
             self._made = self._place_stations()
         return self._made
 

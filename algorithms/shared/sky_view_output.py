@@ -76,7 +76,7 @@ def write_sky_view(algorithm, parameters, context, source, feedback, share):
     import numpy as np
 
     from ...core.horizon.sky_view import SkyViewOptions, sky_view_raster
-    from ...core.io.write_raster import new_raster
+    from ...core.io.write_raster import RasterLayout, new_raster
 
     if parameters.get("SKY_VIEW") is None:
         return None
@@ -89,7 +89,8 @@ def write_sky_view(algorithm, parameters, context, source, feedback, share):
         refraction_coefficient=algorithm.parameterAsDouble(parameters, "REFRACTION", context),
     )
     progress = subtask(FeedbackProgress(feedback), *share)
-    with new_raster(path, dem, window, nodata=NODATA, descriptions=[tr("sky view factor")], units=["1"]) as file:
+    layout = RasterLayout(nodata=NODATA, descriptions=[tr("sky view factor")], units=["1"])
+    with new_raster(path, dem, window, layout) as file:
         for tile, factor in sky_view_raster(dem, window, options, progress):
             file.write(
                 np.where(np.isnan(factor), np.float32(NODATA), factor), tile.row - window.row, tile.col - window.col

@@ -11,6 +11,7 @@ from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, number_or_none
 from .i18n import tr
+from .photo_points import pinhole
 
 COLUMNS = ("photo", "column", "row")
 TOLERANCE_DEG = 0.3
@@ -70,25 +71,25 @@ def table_fault(algorithm, parameters, context):
     )
 
 
-def with_table(algorithm, parameters, context, sights, feedback):
-    """Give the sights their skylines out of the table; as they are where there is no table."""
+def with_table(algorithm, parameters, context, points, feedback):
+    """Give the points their skylines out of the table; as they are where there is no table."""
     source = algorithm.parameterAsSource(parameters, "SKYLINES", context)
     if source is None:
-        return sights
+        return points
     tolerance_deg = algorithm.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context)
     lines, by_name = lines_of(source), {}
     for photo in lines:
         by_name.setdefault(Path(photo).name.lower(), []).append(photo)
     limited = []
-    for sight in sights:
-        photo = sight.photo or ""
+    for point in points:
+        photo = point.path or ""
         same_name = by_name.get(Path(photo).name.lower(), [])
         key = photo if photo in lines else same_name[0] if len(same_name) == 1 else None
         if key is None:
             warn(
-                feedback, sight.name, tr("The table of skylines does not contain this photo, so no ground is excluded.")
+                feedback, point.name, tr("The table of skylines does not contain this photo, so no ground is excluded.")
             )
-        limited.append(sight if key is None else with_line(sight, *lines[key], tolerance_deg))
+        limited.append(point if key is None else with_line(point, *lines[key], tolerance_deg))
     return limited
 
 
@@ -105,20 +106,32 @@ def lines_of(source):
     return {photo: tuple(zip(*values)) for photo, values in lines.items()}
 
 
-def with_line(sight, columns, rows, confidence, tolerance_deg):
-    """Sight with a skyline that covers the picture's whole width, from whose columns the width follows."""
+def with_line(point, columns, rows, confidence, tolerance_deg):
+    """Point with a skyline that covers the picture's whole width, from whose columns the width follows.
+
+    Parameters
+    ----------
+    point : PhotoPoint
+    columns, rows, confidence : sequences of float
+        Of the skyline [pixels].
+    tolerance_deg : float
+        Ground may appear this far above it [degrees].
+    """
     from ...core.viewshed.sector import skyline_rows
 
     width_px = max(round(min(columns) + max(columns) + 1), 1)
     row_px = skyline_rows(columns, rows, confidence, width_px)
-    return replace(sight, width_px=width_px, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
+    posed = point.posed
+    if posed is not None and posed.camera.width_px != width_px:  # by fields of view, of a picture of unknown size
+        posed = replace(posed, camera=pinhole(point.hfov_deg, point.vfov_deg, (width_px, None)))
+    return replace(point, posed=posed, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
 
 
-def with_own(sight, oriented, tolerance_deg):
-    """Sight with the skyline that its orientation was found from; as it is where there is none."""
+def with_own(point, oriented, tolerance_deg):
+    """Point with the skyline that its orientation was found from; as it is where there is none."""
     from ...core.base.overlay_lines import skyline_line
 
     if oriented.skyline is None or oriented.camera is None:
-        return sight
+        return point
     line = skyline_line(oriented.skyline, oriented.camera.width_px, oriented.camera.height_px)
-    return with_line(sight, line.x_px, line.y_px, oriented.skyline.confidence, tolerance_deg)
+    return with_line(point, line.x_px, line.y_px, oriented.skyline.confidence, tolerance_deg)

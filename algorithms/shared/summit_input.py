@@ -123,29 +123,21 @@ class Summitry:
         places = summits_around(self.terrain, view.frame, max_distance_m, self.least_m)
         return [(f"{z:.0f} m", east, north, z, z, 0.0, p) for east, north, z, p in places]
 
-    def shown(self, photo, options, all_round=False):
-        """Summits in a photo's frame, most important first."""
+    def shown(self, view, options, all_round=False):
+        """Summits in the frame of a view, most important first."""
         from ...core.figures.annotate import NamedPoint
         from ...core.mapping.peaks import own_ground_m
-        from ...core.mapping.projecting import OUTSIDE, STATE_NAMES, project_places
+        from ...core.mapping.projecting import STATE_NAMES, Places, PlaceState, project_places
 
-        summits = self.around(photo.view, options.max_distance_m)
+        summits = self.around(view, options.max_distance_m)
         if not summits:
             return []
         east, north, height = (np.array([summit[k] for summit in summits], float) for k in (1, 2, 3))
-        seen = project_places(
-            self.terrain,
-            photo.view,
-            east,
-            north,
-            height,
-            options=options,
-            all_round=all_round,
-            own_ground_m=own_ground_m(photo.view.frame),
-        )
+        places = Places(east, north, height, own_ground_m=own_ground_m(view.frame))
+        seen = project_places(self.terrain, view, places, options, all_round)
         found = []
         for k, (name, _, _, tall, top, moved, prominence) in enumerate(summits):
-            if seen.state[k] == OUTSIDE:
+            if seen.state[k] == PlaceState.OUTSIDE:
                 continue
             words = name if self.given is None or not np.isfinite(tall) else f"{name} {tall:.0f} m"
             place, state = (float(seen.x_px[k]), float(seen.y_px[k])), STATE_NAMES[int(seen.state[k])]

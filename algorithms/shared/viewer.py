@@ -11,6 +11,7 @@ from ...core.base.progress import checkpoint, subtask
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
 from .outputs import make_folder_of, unused
+from .photo_points import PhotoPoint
 from .styling import dress_file
 from .visibility import sector_of
 
@@ -25,23 +26,10 @@ SHARED_CELLS = 100_000_000
 class Job:
     """One photo's viewshed to come: what it depends on, and the file that keeps it (None: none)."""
 
-    sight: Any
-    observer: Any
+    point: PhotoPoint
     sector: Any
     path: str | None = None
     mark: str = ""
-
-
-@dataclass(frozen=True, eq=False)
-class KeptViewshed:
-    """An earlier run's viewshed; see `core.viewshed.viewshed.Viewshed`."""
-
-    window: Any
-    values: Any
-    frame: Any
-    eye_elevation_m: float
-    options: Any
-    sector: Any
 
 
 class Viewer:
@@ -55,75 +43,66 @@ class Viewer:
     dem : core.io.raster.Dem
     kind : str
         Of `parameters.SECTORS`.
-    eye_height_m : float
-        Above the DEM, for sights without an elevation of their own [m].
     options : ViewshedOptions
     feedback : QgsProcessingFeedback
     folder : str
         For one GeoTIFF per photo; empty where not wanted.
     """
 
-    def __init__(self, dem, kind, eye_height_m, options, feedback, folder=""):
-        self.dem, self.kind, self.eye_height_m, self.options = dem, kind, eye_height_m, options
+    def __init__(self, dem, kind, options, feedback, folder=""):
+        self.dem, self.kind, self.options = dem, kind, options
         self.feedback, self.folder, self._stems, self._taken_stems = feedback, folder, {}, set()
 
-    def each(self, sights, share=(0.0, 1.0)):
-        """Yield (sight, viewshed), each whole before the next; photos from one place come together."""
+    def each(self, points, share=(0.0, 1.0)):
+        """Yield (point, viewshed), each whole before the next; photos from one place come together."""
         progress, done = subtask(FeedbackProgress(self.feedback), *share), 0
-        for group in stations(sights):
-            part = subtask(progress, done / len(sights), (done + len(group)) / len(sights))
+        for group in stations(points):
+            part = subtask(progress, done / len(points), (done + len(group)) / len(points))
             jobs = [job for job in map(self._job, group) if job is not None]
             results = self._work(jobs, part)
             end = done + len(group)
             try:
                 for job in jobs:
-                    announce(self.feedback, job.sight.name, done, len(sights))
+                    announce(self.feedback, job.point.name, done, len(points))
                     found = next(results)
                     done += 1
                     if found is not None:
-                        yield job.sight, found
+                        yield job.point, found
             except Cancelled:
                 self.feedback.pushWarning(
-                    tr("Cancelled after {done} of {count} viewsheds.").format(done=done, count=len(sights))
+                    tr("Cancelled after {done} of {count} viewsheds.").format(done=done, count=len(points))
                 )
                 raise
             done = end
         checkpoint(progress, 1.0)
 
-    def view(self, sight, progress):
+    def view(self, point, progress):
         """Give one viewshed, or warn and give None."""
-        job = self._job(sight)
+        job = self._job(point)
         return None if job is None else next(self._work([job], progress))
 
-    def observer_of(self, sight):
-        """Where the camera of a sight stands."""
-        from ...core.base.terrain import Observer
-
-        return Observer(sight.longitude_deg, sight.latitude_deg, self.eye_height_m, sight.eye_elevation_m)
-
-    def file_of(self, sight, folder):
+    def file_of(self, point, folder):
         """Path of a photo's own GeoTIFF in a folder, which is made; of the same name in each folder."""
-        if sight.key not in self._stems:
-            self._stems[sight.key] = file_stem(sight, self._taken_stems)
-            self._taken_stems.add(self._stems[sight.key].lower())
-        path = str(Path(folder) / f"{self._stems[sight.key]}.tif")
+        if point.key not in self._stems:
+            self._stems[point.key] = file_stem(point, self._taken_stems)
+            self._taken_stems.add(self._stems[point.key].lower())
+        path = str(Path(folder) / f"{self._stems[point.key]}.tif")
         make_folder_of(path)
         return path
 
-    def _job(self, sight):
+    def _job(self, point):
         from ...core.io.viewshed_raster import fingerprint
 
-        sector = sector_of(sight, self.kind, self.feedback)
+        sector = sector_of(point, self.kind, self.feedback)
         if sector is None:
             return None
-        if sight.longitude_deg is None:
-            warn(self.feedback, sight.name, tr("The point has no usable position."))
+        if point.observer is None:
+            warn(self.feedback, point.name, tr("The point has no usable position."))
             return None
-        observer = self.observer_of(sight)
         if not self.folder:
-            return Job(sight, observer, sector)
-        path = self.file_of(sight, self.folder)
-        return Job(sight, observer, sector, path, fingerprint(self.dem, observer, sector, self.options))
+            return Job(point, sector)
+        path = self.file_of(point, self.folder)
+        return Job(point, sector, path, fingerprint(self.dem, point.observer, sector, self.options))
 
     def _work(self, jobs, progress):
         """Yield the viewshed of each of one place's jobs, or warn and yield None."""
@@ -140,7 +119,7 @@ class Viewer:
                 except PhotoError as error:  # what one place cannot do, it can do for none of its photos
                     fault = error
             if found is None:
-                warn(self.feedback, job.sight.name, fault.message)
+                warn(self.feedback, job.point.name, fault.message)
             yield found
 
     def _sweep(self, jobs, progress):
@@ -149,7 +128,7 @@ class Viewer:
         from ...core.viewshed.viewshed import FRAME_MARGIN, sector_window, viewshed
 
         if len(jobs) > 1:
-            place = jobs[0].observer
+            place = jobs[0].point.observer
             reach_m = self.options.max_distance_m
             frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * reach_m)
             sectors = tuple(job.sector for job in jobs)
@@ -159,50 +138,52 @@ class Viewer:
                 return
         for index, job in enumerate(jobs):
             part = subtask(progress, index / len(jobs), (index + 1) / len(jobs))
-            yield viewshed(self.dem, job.observer, job.sector, self.options, part, sink_for)
+            yield viewshed(self.dem, job.point.observer, job.sector, self.options, part, sink_for)
 
     def _keep(self, job, found):
         from ...core.io.viewshed_raster import write_viewshed
 
         if job.path is not None:
-            sight = job.sight
-            facts = {"PHOTO": sight.photo or "", "HEADING": sight.heading_deg, "SOFTWARE": "Skyline Viewshed"}
+            point = job.point
+            facts = {"PHOTO": point.path or "", "HEADING": point.heading_deg, "SOFTWARE": "Skyline Viewshed"}
             write_viewshed(job.path, found, self.dem, job.mark, facts)
             dress_file(job.path, "seen")
 
     def _taken(self, job):
         """What an earlier run has left, or None where it cannot be read after all."""
         from ...core.base.terrain import eye_elevation_m
+        from ...core.base.viewed import Viewshed
         from ...core.io.viewshed_raster import read_viewshed
         from ...core.viewshed.viewshed import FRAME_MARGIN
 
         stored = read_viewshed(job.path, self.dem, job.mark, sink_for)
         if stored is None:
             return None
-        self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=job.sight.name, path=job.path))
+        self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=job.point.name, path=job.path))
         dress_file(job.path, "seen")
-        place = job.observer
+        place = job.point.observer
         frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * self.options.max_distance_m)
         eye_m = eye_elevation_m(self.dem, frame, place)
-        return KeptViewshed(stored.window, stored.values, frame, eye_m, self.options, job.sector)
+        return Viewshed(*stored, frame, eye_m, self.options, job.sector)
 
 
 def sink_for(window):
     """Give what holds the cells of a window: bytes, or two bits each where there are very many."""
-    from ...core.viewshed.viewshed import ArraySink, PackedSink
+    from ...core.base.viewed import ArraySink
+    from ...core.viewshed.viewshed import PackedSink
 
     return (PackedSink if window.rows * window.cols > PACKED_CELLS else ArraySink)(window)
 
 
-def stations(sights):
-    """Groups of sights from exactly one place and height, in the order of their first."""
+def stations(points):
+    """Groups of points from exactly one place and height, in the order of their first."""
     groups = {}
-    for sight in sights:
-        groups.setdefault((sight.longitude_deg, sight.latitude_deg, sight.eye_elevation_m), []).append(sight)
+    for point in points:
+        groups.setdefault(point.observer, []).append(point)
     return list(groups.values())
 
 
-def file_stem(sight, taken):
+def file_stem(point, taken):
     """Name for a photo's own raster that is not yet taken."""
-    stem = Path(sight.photo).stem if sight.photo else f"point_{sight.source_id}"
+    stem = Path(point.path).stem if point.path else f"point_{point.source_id}"
     return unused(stem, taken)

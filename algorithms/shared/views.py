@@ -2,42 +2,49 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from qgis.core import QgsFeature
 
-from ...core.base.camera import Camera, Pose, focal_of_fov_px
 from ...core.base.errors import PhotoError
 from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
-from ...core.base.terrain import Observer
 from ...core.base.uncertainty import PoseUncertainty
 from ...core.base.view import open_view
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
-from .fields import number_or_none
 from .i18n import tr
 from .layers import PATH_FIELDS, read_points
-
-NOMINAL_WIDTH_PX = 4000
-"""Width of a picture of which only the fields of view are known."""
-
-POSE_FIELDS = {
-    "HEADING_FIELD": "heading",
-    "PITCH_FIELD": "pitch",
-    "ROLL_FIELD": "roll",
-    "HFOV_FIELD": "hfov",
-    "VFOV_FIELD": "vfov",
-    "HEIGHT_FIELD": "eye_z",
-}
-"""Parameter and the field that `orientphotos` writes."""
+from .photo_points import POSE_FIELDS, PoseReading, is_field_of_view, photo_point, pose_values, value_of
 
 
 @dataclass(frozen=True)
-class PhotoView:
-    """An oriented photograph that has been placed on the DEM.
+class Opening:
+    """How a run opens its views.
+
+    Attributes
+    ----------
+    max_distance_m : float
+        Reach of the views [m].
+    share : (float, float)
+        Part of the progress bar.
+    pixels : bool
+        The run tells pixels, so that a picture of unknown size is worth a warning.
+    uncertainty : PoseUncertainty
+        Of a photograph whose point does not say more.
+    """
+
+    max_distance_m: float
+    share: tuple = (0.0, 1.0)
+    pixels: bool = True
+    uncertainty: PoseUncertainty = field(default_factory=PoseUncertainty)
+
+
+@dataclass(frozen=True, eq=False)
+class OpenedPhoto:
+    """A posed photograph of a layer that has been opened on the DEM.
 
     Attributes
     ----------
@@ -48,7 +55,6 @@ class PhotoView:
     path : str or None
         Of the photograph.
     view : core.base.view.View
-    observer : core.base.terrain.Observer
     terrain : core.base.terrain.Terrain
     sized : bool
         The picture's size is known, so that pixels mean something; else only its shape.
@@ -60,7 +66,6 @@ class PhotoView:
     name: str
     path: str | None
     view: Any
-    observer: Any
     terrain: Any
     sized: bool
     progress: Any
@@ -72,8 +77,8 @@ def add_view_parameters(algorithm, max_distance_m=30_000.0, photo_needed=True):
     points.setDescription(tr("Oriented photo points"))
     points.setHelp(tr("From Orient photos, or any points with heading, pitch, roll and field of view."))
     algorithm.addParameter(points)
-    field = shared.photo_field()
-    algorithm.addParameter(field if photo_needed else shared.advanced(field))
+    photo = shared.photo_field()
+    algorithm.addParameter(photo if photo_needed else shared.advanced(photo))
     algorithm.addParameter(shared.dem())
     algorithm.addParameter(shared.band())
     algorithm.addParameter(shared.max_distance(max_distance_m))
@@ -114,72 +119,55 @@ def add_uncertainty_parameters(algorithm):
         ("EYE_SIGMA", tr("Uncertainty of the camera's elevation (m)"), default.eye_m, tr("Standard deviation.")),
         ("DEM_SIGMA", tr("Vertical error of the DEM (m)"), default.dem_m, tr("Standard deviation.")),
     ):  # fmt: skip
-        algorithm.addParameter(shared.advanced(shared.number(name, label, value, text, 0.0)))
+        most = 30.0 if name == "FOCAL_SIGMA" else None
+        algorithm.addParameter(shared.advanced(shared.number(name, label, value, text, 0.0, most)))
 
 
-def uncertainty_of(algorithm, parameters, context, feature):
-    """Uncertainty of one photograph: the parameters, bettered by what its point carries."""
+def uncertainty_of(algorithm, parameters, context):
+    """Read the parameters of `add_uncertainty_parameters`; points better them by what they carry."""
 
     def number(name):
         return algorithm.parameterAsDouble(parameters, name, context)
 
-    sigma = PoseUncertainty(
+    return PoseUncertainty(
         number("HEADING_SIGMA"), number("PITCH_SIGMA"), number("ROLL_SIGMA"), number("FOCAL_SIGMA") / 100,
         number("POSITION_SIGMA"), number("EYE_SIGMA"), number("DEM_SIGMA"),
     )  # fmt: skip
-    low, high, accuracy = (value_of(feature, name) for name in ("heading_lo", "heading_hi", "h_acc"))
-    if low is not None and high is not None:
-        sigma = sigma.with_heading_interval(low, high)
-    if accuracy is not None and accuracy > 0:
-        sigma = replace(sigma, position_m=accuracy / PER_AXIS)
-    return sigma
 
 
-PER_AXIS = 1.5096
-"""A radius that holds 68 % of places is this many standard deviations of one coordinate (Rayleigh)."""
-
-
-def value_of(feature, field):
-    """Finite number of a feature's field, or None where the field is missing or NULL."""
-    if not field or feature.fields().lookupField(field) < 0:
-        return None
-    return number_or_none(feature[field])
-
-
-def open_views(algorithm, parameters, context, feedback, terrain, max_distance_m, share=(0.0, 1.0), pixels=True):
-    """Yield a `PhotoView` for each oriented point; what lacks a heading or lies off the DEM is warned of.
+def open_views(algorithm, parameters, context, feedback, terrain, opening):
+    """Yield an `OpenedPhoto` for each oriented point; what lacks a heading or lies off the DEM is warned of.
 
     Parameters
     ----------
+    algorithm, parameters, context, feedback
+        As in `processAlgorithm`.
     terrain : core.io.raster.Dem
-    max_distance_m : float
-        Reach of the views [m].
-    share : (float, float)
-        Part of the progress bar.
-    pixels : bool
-        The run tells pixels, so that a picture of unknown size is worth a warning.
+    opening : Opening
     """
     _, rows = read_points(algorithm, parameters, context, "INPUT", _path_field(algorithm, parameters, context))
     fields = {key: algorithm.parameterAsString(parameters, key, context) for key in POSE_FIELDS}
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
+    reading = PoseReading(eye_height_m, opening.uncertainty, level=True)
     refraction = algorithm.parameterAsDouble(parameters, "REFRACTION", context)
-    progress = subtask(FeedbackProgress(feedback), *share)
+    progress = subtask(FeedbackProgress(feedback), *opening.share)
     for index, row in enumerate(rows):
         announce(feedback, row.name, index, len(rows))
         part = subtask(progress, index / len(rows), (index + 1) / len(rows))
-        values = {key: value_of(row.feature, field) for key, field in fields.items()}
         try:
-            camera, sized = _camera(row.path, row.feature, values)
-            observer = _observer(row, values, eye_height_m)
-            view = open_view(terrain, observer, camera, _pose(values), max_distance_m, refraction)
+            size_px = _size_px(row)
+            point = photo_point(row, pose_values(row.feature, fields), reading, row.path, size_px)
+            if point.posed is None:
+                raise PhotoError(_lack(point))
+            view = open_view(terrain, point.posed, opening.max_distance_m, refraction)
         except PhotoError as error:
             warn(feedback, row.name, error.message)
             continue
         checkpoint(part, 0.0)
-        if pixels and not sized:
+        if opening.pixels and size_px is None:
             text = Message("The picture's size is unknown, so a width of 4000 px is assumed.")
             warn(feedback, row.name, text)
-        yield PhotoView(row.feature, row.name, row.path, view, observer, terrain, sized, part)
+        yield OpenedPhoto(row.feature, row.name, row.path, view, terrain, size_px is not None, part)
         checkpoint(part, 1.0)
 
 
@@ -187,43 +175,30 @@ def _path_field(algorithm, parameters, context):
     """PHOTO_FIELD, or None where the layer has no such field and the user has not asked for another."""
     source = algorithm.parameterAsSource(parameters, "INPUT", context)
     chosen = algorithm.parameterAsString(parameters, "PHOTO_FIELD", context)
-    names = [] if source is None else [field.name().lower() for field in source.fields()]
+    names = [] if source is None else [column.name().lower() for column in source.fields()]
     if chosen in ("", "photo") and not set(PATH_FIELDS) & set(names):
         return None
     return "PHOTO_FIELD"
 
 
-def _observer(row, values, eye_height_m):
-    if row.longitude_deg is None:
-        raise PhotoError(Message("The point has no usable position."))
-    return Observer(row.longitude_deg, row.latitude_deg, eye_height_m, values["HEIGHT_FIELD"])
+def _lack(point):
+    """Message on why a point has no pose."""
+    if not is_field_of_view(point.hfov_deg):
+        return Message("The photo has no horizontal field of view between 0 and 180 degrees; orient it first.")
+    if point.observer is None:
+        return Message("The point has no usable position.")
+    return Message("The photo has no heading; orient it first.")
 
 
-def _pose(values):
-    if values["HEADING_FIELD"] is None:
-        raise PhotoError(Message("The photo has no heading; orient it first."))
-    return Pose(values["HEADING_FIELD"], values["PITCH_FIELD"] or 0.0, values["ROLL_FIELD"] or 0.0)
-
-
-def _camera(path, feature, values):
-    """Camera of the full picture, and whether its size is known."""
+def _size_px(row):
+    """Size of the upright picture by its file or its point's fields, or None [pixels]."""
     from ...core.io.photo import read_metadata
 
-    hfov, vfov = values["HFOV_FIELD"], values["VFOV_FIELD"]
-    if hfov is None or not 0 < hfov < 180:
-        raise PhotoError(
-            Message("The photo has no horizontal field of view between 0 and 180 degrees; orient it first.")
-        )
-    size = tuple(value_of(feature, field) for field in ("width", "height"))
-    sized = None not in size
-    if path and Path(path).exists():
-        metadata = read_metadata(path)
-        size, sized = (metadata.width_px, metadata.height_px), True
-    elif not sized:
-        height = 2 * focal_of_fov_px(NOMINAL_WIDTH_PX, hfov) / (2 * focal_of_fov_px(1.0, vfov)) if vfov else None
-        size = NOMINAL_WIDTH_PX, height or 0.75 * NOMINAL_WIDTH_PX
-    width, height = max(round(size[0]), 1), max(round(size[1]), 1)
-    return Camera(width, height, focal_of_fov_px(width, hfov)), sized
+    if row.path and Path(row.path).exists():
+        metadata = read_metadata(row.path)
+        return metadata.width_px, metadata.height_px
+    size = tuple(value_of(row.feature, name) for name in ("width", "height"))
+    return None if None in size else size
 
 
 def sight_options(algorithm, parameters, context):

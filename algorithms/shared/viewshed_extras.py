@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 from ...core.base.errors import PhotoError
 from ...core.base.messages import Message
+from ...core.base.uncertainty import PoseUncertainty
 from . import parameters as shared
 from .feedback import StillProgress, warn
 from .fields import FieldSpec
 from .i18n import tr
 from .styling import dress_file
-from .visibility import view_of
 
 LAYER_CELLS = 80_000_000
 """Layers and probabilities of larger windows would take more memory than we promise: ten bytes per cell, a gigabyte."""
@@ -56,9 +56,7 @@ def add_extra_parameters(algorithm):
 
 def error_parameters():
     """What is not known exactly, for probabilities."""
-    from ...core.viewshed.probability import ViewUncertainty
-
-    usual = ViewUncertainty()
+    usual = PoseUncertainty()
     return [
         shared.distance(
             "POSITION_ERROR",
@@ -101,23 +99,20 @@ def error_parameters():
 
 @dataclass(frozen=True)
 class ExtraOptions:
-    """Folders (empty: not wanted) and errors."""
+    """Folders (empty: not wanted), and what is unsure beside the heading."""
 
     layers: str
     probabilities: str
-    position_m: float
-    dem_m: float
-    pitch_deg: float
-    roll_deg: float
-    focal_relative: float
+    uncertainty: PoseUncertainty
 
 
 def extra_options(algorithm, parameters, context):
     """Options from the parameters; asked once, as each question about a temporary folder gives another one."""
     folders = [algorithm.parameterAsString(parameters, name, context) for name in ("LAYERS", "PROBABILITIES")]
     names = ("POSITION_ERROR", "DEM_ERROR", "PITCH_ERROR", "ROLL_ERROR", "FOCAL_ERROR")
-    *errors, focal_percent = (algorithm.parameterAsDouble(parameters, name, context) for name in names)
-    return ExtraOptions(*folders, *errors, focal_percent / 100)
+    position, dem, pitch, roll, focal = (algorithm.parameterAsDouble(parameters, name, context) for name in names)
+    errors = {"position_m": position, "dem_m": dem, "pitch_deg": pitch, "roll_deg": roll}
+    return ExtraOptions(*folders, PoseUncertainty(**errors, focal_relative=focal / 100))
 
 
 def extra_fields():
@@ -160,15 +155,15 @@ class Extras:
         found = {"LAYERS": self.options.layers, "PROBABILITIES": self.options.probabilities}
         return {name: folder for name, folder in found.items() if folder}
 
-    def of(self, sight, seen, horizon=None):
+    def of(self, point, seen, horizon=None):
         """Write what is wanted for one viewshed; gives values of `extra_fields` by name, those not known left out.
 
         Parameters
         ----------
-        sight : Sight
-        seen : Viewshed or KeptViewshed
+        point : PhotoPoint
+        seen : Viewshed
         horizon : HorizonProfile or None
-            Around the sight, if it is there already.
+            Around the eye, if it is there already.
         """
         too_large = seen.window.rows * seen.window.cols > LAYER_CELLS
         if self.folders and too_large:
@@ -177,32 +172,33 @@ class Extras:
                 "distance.",
                 count=LAYER_CELLS // 1_000_000,
             )
-            warn(self.feedback, sight.name, fault)
+            warn(self.feedback, point.name, fault)
         if self.options.layers and not too_large:
-            self._write_layers(sight, seen)
-        values = self._terrain_share(sight, seen, horizon)
+            self._write_layers(point, seen)
+        values = self._terrain_share(point, seen, horizon)
         if self.options.probabilities and not too_large:
-            values.update(self._write_probabilities(sight, seen))
+            values.update(self._write_probabilities(point, seen))
         return values
 
-    def _write_layers(self, sight, seen):
-        from ...core.io.viewshed_raster import fingerprint, stored_facts, write_layers
+    def _write_layers(self, point, seen):
+        from ...core.io.viewshed_raster import LayerStack, fingerprint, stored_facts, write_layers
         from ...core.viewshed.layers import LAYERS, clearance, sector_layers
 
-        camera, pose = view_of(sight)
-        observer = self.viewer.observer_of(sight)
-        path = self.viewer.file_of(sight, self.options.layers)
-        mark = fingerprint(self.dem, observer, seen.sector, seen.options, "layers", camera, pose)
+        photo, observer = point.posed, point.observer
+        path = self.viewer.file_of(point, self.options.layers)
+        lens = (None, None) if photo is None else (photo.camera, photo.pose)
+        mark = fingerprint(self.dem, observer, seen.sector, seen.options, "layers", *lens)
         if stored_facts(path, mark) is not None:
-            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=point.name, path=path))
         else:
             lifted = clearance(self.dem, observer, seen.sector, seen.options, self._progress)
-            strips = sector_layers(self.dem, seen, lifted, camera, pose)
-            bands = dict(zip(layer_names(), LAYERS[: 3 if camera is None else 5]))
-            write_layers(path, self.dem, seen.window, bands, strips, mark, {"PHOTO": sight.photo or ""})
+            strips = sector_layers(self.dem, seen, lifted, photo)
+            bands = dict(zip(layer_names(), LAYERS[: 3 if photo is None else 5]))
+            facts = {"PHOTO": point.path or ""}
+            write_layers(path, self.dem, seen.window, LayerStack(bands, strips), mark, facts)
         dress_file(path, "layers")
 
-    def _terrain_share(self, sight, seen, horizon):
+    def _terrain_share(self, point, seen, horizon):
         """Share of the frame that looks below the DEM's horizon."""
         from ...core.horizon.horizon import HorizonOptions, horizon_profile
         from ...core.viewshed.layers import terrain_share
@@ -211,7 +207,7 @@ class Extras:
         if not isinstance(seen.sector, PhotoFrame):
             return {}
         if horizon is None:
-            observer, range_ = self.viewer.observer_of(sight), seen.options
+            observer, range_ = point.observer, seen.options
             if observer not in self._horizons:
                 options = HorizonOptions(
                     azimuth_step_deg=HORIZON_STEP_DEG,
@@ -224,48 +220,32 @@ class Extras:
         share, _ = terrain_share(seen.sector.camera, seen.sector.pose, horizon)
         return {"terr_share": share}
 
-    def _write_probabilities(self, sight, seen):
-        from ...core.io.viewshed_raster import fingerprint, stored_facts, write_layers
+    def _write_probabilities(self, point, seen):
+        from ...core.io.viewshed_raster import LayerStack, fingerprint, stored_facts, write_layers
         from ...core.viewshed.probability import visibility_probability
         from ...core.viewshed.sector import PhotoFrame
 
         if not isinstance(seen.sector, PhotoFrame):
             text = Message("No probabilities: they need the area photo frame, with pitch and vertical field of view.")
-            warn(self.feedback, sight.name, text)
+            warn(self.feedback, point.name, text)
             return {}
-        camera, pose = seen.sector.camera, seen.sector.pose
-        observer, uncertainty = self.viewer.observer_of(sight), self._uncertainty(sight)
-        path = self.viewer.file_of(sight, self.options.probabilities)
-        mark = fingerprint(self.dem, observer, seen.sector, seen.options, "probabilities", uncertainty)
+        photo = point.posed
+        path = self.viewer.file_of(point, self.options.probabilities)
+        mark = fingerprint(self.dem, photo.observer, seen.sector, seen.options, "probabilities", photo.uncertainty)
         stored = stored_facts(path, mark)
         if stored is not None:
-            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=sight.name, path=path))
+            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=point.name, path=path))
             dress_file(path, "probability")
             return {name: float(stored[name.upper()]) for name in LEVELS}
         try:
-            found = visibility_probability(self.dem, observer, camera, pose, uncertainty, seen.options, self._progress)
+            found = visibility_probability(self.dem, photo, seen.options, progress=self._progress)
         except PhotoError as error:
-            warn(self.feedback, sight.name, error.message)
+            warn(self.feedback, point.name, error.message)
             return {}
         areas = {name: found.area_m2(level) for name, level in LEVELS.items()}
-        facts = {"PHOTO": sight.photo or "", **{name.upper(): repr(area) for name, area in areas.items()}}
+        facts = {"PHOTO": point.path or "", **{name.upper(): repr(area) for name, area in areas.items()}}
         strips = [(found.window, [found.values])]
         bands = {tr("probability that the photograph shows the cell"): "1"}
-        write_layers(path, self.dem, found.window, bands, strips, mark, facts)
+        write_layers(path, self.dem, found.window, LayerStack(bands, strips), mark, facts)
         dress_file(path, "probability")
         return areas
-
-    def _uncertainty(self, sight):
-        from ...core.viewshed.probability import ViewUncertainty
-
-        given = self.options
-        errors = {
-            "pitch_deg": given.pitch_deg,
-            "roll_deg": given.roll_deg,
-            "focal_relative": given.focal_relative,
-            "position_m": given.position_m,
-            "dem_m": given.dem_m,
-        }
-        if sight.heading_lo_deg is None or sight.heading_hi_deg is None:
-            return ViewUncertainty(**errors)
-        return ViewUncertainty.from_interval(sight.heading_lo_deg, sight.heading_hi_deg, **errors)

@@ -32,26 +32,26 @@ class ViewshedOutputs:
         self.dem, self.smallest_m2 = dem, smallest_m2
         self.count, self.rows, self._keys = SeenCount(dem.shape), [], []
 
-    def add(self, sight, viewshed, extras=None):
+    def add(self, point, viewshed, extras=None):
         """Take one photo's viewshed, and values of `extra_fields`; gives its facts in words, for the report."""
         from ...core.io.polygons import viewshed_polygons
 
         ground = viewshed_polygons(viewshed, self.dem, self.smallest_m2)
         self.count.add(viewshed.window, viewshed.values)
-        self.rows.append(polygon_row(sight, ground, extras or {}))
-        self._keys.append(sight.key)
+        self.rows.append(polygon_row(point, ground, extras or {}))
+        self._keys.append(point.key)
         far = tr("none") if ground.farthest_m is None else f"{ground.farthest_m / 1e3:.1f} km"
         return {tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²", tr("Farthest ground in view"): far}
 
-    def arrange(self, sights):
-        """Bring the polygons into the order of these sights."""
-        place = {sight.key: index for index, sight in enumerate(sights)}
+    def arrange(self, points):
+        """Bring the polygons into the order of these points."""
+        place = {point.key: index for index, point in enumerate(points)}
         order = sorted(range(len(self.rows)), key=lambda row: place[self._keys[row]])
         self.rows, self._keys = [self.rows[row] for row in order], [self._keys[row] for row in order]
 
     def write_count(self, algorithm, parameters, name, context, feedback):
         """Write the raster of counts; gives its path, or None where it is not wanted."""
-        from ...core.io.write_raster import new_raster
+        from ...core.io.write_raster import RasterLayout, new_raster
 
         path = algorithm.parameterAsOutputLayer(parameters, name, context)
         if not path:
@@ -59,9 +59,8 @@ class ViewshedOutputs:
         make_folder_of(path)
         facts = {"CONTENT": "number of photographs that see the cell", "PHOTOS": self.count.photos}
         description = [tr("photographs that see the cell")]
-        with new_raster(
-            path, self.dem, dtype="uint16", nodata=COUNT_NODATA, descriptions=description, metadata=facts
-        ) as file:
+        layout = RasterLayout("uint16", nodata=COUNT_NODATA, descriptions=description, metadata=facts)
+        with new_raster(path, self.dem, layout=layout) as file:
             for row, values in self._strips(feedback):
                 file.write(values, row)
         style_on_completion(context, path, "viewshed", tr("Viewshed"), (), algorithm.displayName())
@@ -96,14 +95,14 @@ class ViewshedOutputs:
         return output
 
 
-def polygon_row(sight, ground, extras):
+def polygon_row(point, ground, extras):
     """Geometry and attributes of one photo's ground."""
     geometry = QgsGeometry()
     if ground.wkb is not None:
         geometry.fromWkb(ground.wkb)
         if geometry.isNull():
-            raise QgsProcessingException(tr("The polygon of {name} could not be built.").format(name=sight.name))
-    values = [sight.photo, sight.source_id, sight.heading_deg, sight.hfov_deg, ground.area_m2, ground.farthest_m]
+            raise QgsProcessingException(tr("The polygon of {name} could not be built.").format(name=point.name))
+    values = [point.path, point.source_id, point.heading_deg, point.hfov_deg, ground.area_m2, ground.farthest_m]
     return geometry, values + [extras.get(spec.name) for spec in extra_fields()]
 
 

@@ -6,13 +6,16 @@ nothing here is ever made up to fill a gap.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 import numpy as np
 
+from .angles import wrap_360
 from .camera import FOCAL_SIGMA, Camera, Pose
 from .messages import Message
+from .posed import PosedPhoto
+from .terrain import Observer
 
 
 @dataclass(frozen=True)
@@ -247,6 +250,19 @@ class OrientedPhoto:
     ground_elevation_m: float | None = None
     convergence_deg: float | None = None
     compass_true_deg: float | None = None
+
+    @property
+    def view(self) -> PosedPhoto | None:
+        """The photograph with its best pose, heading in [0, 360); None where no heading was found."""
+        answer, best = self.orientation, self.orientation.best
+        if best is None or self.longitude_deg is None or self.latitude_deg is None:
+            return None
+        pose = replace(best.pose, heading_deg=float(wrap_360(best.pose.heading_deg)))
+        observer = Observer(self.longitude_deg, self.latitude_deg, eye_elevation_m=self.eye_elevation_m)
+        photo = PosedPhoto(best.camera, pose, observer, path=self.path or None)
+        if answer.heading_lo_deg is None or answer.heading_hi_deg is None:
+            return photo
+        return photo.with_heading_interval(answer.heading_lo_deg, answer.heading_hi_deg)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,6 @@ tests, simulated scenes and callers that have the elevations already.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -32,8 +31,12 @@ class Window:
         return Window(row, col, rows, cols)
 
 
-class Terrain(Protocol):
-    """An elevation model: its size, its cells by window, and the local frame around a position."""
+class Terrain:
+    """An elevation model: its size, its cells by window, and the local frame around a position.
+
+    A terrain of one's own derives from this class and gives `shape`, `read` and `frame`. Terrains are compared and
+    hashed by identity, so that results can be kept by the terrain that they belong to.
+    """
 
     shape: tuple[int, int]
 
@@ -42,21 +45,31 @@ class Terrain(Protocol):
 
         The window must lie inside the raster.
         """
+        raise NotImplementedError
 
     def frame(self, longitude_deg: float, latitude_deg: float, radius_m: float) -> LocalFrame:
-        """Local frame around a WGS 84 position, reaching `radius_m` [m]."""
+        """Local frame around a position.
 
+        Parameters
+        ----------
+        longitude_deg, latitude_deg : float
+            WGS 84 [degrees].
+        radius_m : float
+            How far the frame has to reach [m].
+        """
+        raise NotImplementedError
 
-def read_into(terrain, window, out):
-    """Read a window of a terrain into a (rows, cols) float32 array, whose memory may lie in any order.
+    def read_into(self, window: Window, out: np.ndarray) -> None:
+        """Read a window into a (rows, cols) float32 array, whose memory may lie in any order.
 
-    New memory costs more than the cells that come into it, so who reads much uses it again. A terrain with a
-    `read_into(window, out)` of its own saves the copy, too.
-    """
-    if hasattr(terrain, "read_into"):
-        terrain.read_into(window, out)
-    else:
-        out[...] = terrain.read(window)
+        Allocating memory costs more than filling it, so callers that read much pass the same array again. A terrain
+        that can fill the array directly overrides this method and saves the copy.
+        """
+        out[...] = self.read(window)
+
+    def read_transient(self, window: Window) -> np.ndarray:
+        """Read as `read` does, into memory that the next reading may overwrite; the caller must not write to it."""
+        return self.read(window)
 
 
 @dataclass(frozen=True)
@@ -80,7 +93,7 @@ class Observer:
 
 
 @dataclass(frozen=True, eq=False)
-class ArrayTerrain:
+class ArrayTerrain(Terrain):
     """Elevations in memory on a plane grid whose columns point to true north: distances are exact.
 
     Attributes
@@ -140,6 +153,10 @@ class ArrayTerrain:
 def bilinear(elevation_m, row_px, col_px):
     """Sample an array between its cell centres.
 
+    This function knows of voids and edges, and serves all that is not named here. For speed `base.frame`,
+    `horizon.pieces`, `horizon.sky_view`, `mapping.march` and `mapping.drape` interpolate in their own loops; pictures
+    are sampled by `base.imaging.sample_bilinear`, simulated scenes by `simulate.cast.sample_field`. Each says why.
+
     Parameters
     ----------
     elevation_m : (R, C) array
@@ -192,7 +209,19 @@ def ground_elevation_m(terrain, frame):
 
 
 def eye_elevation_m(terrain, frame, observer):
-    """Absolute elevation of the observer's eye [m]: as given, else the terrain's surface plus the eye height."""
+    """Absolute elevation of the observer's eye [m]: as given, else the terrain's surface plus the eye height.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+        Around the observer.
+    observer : Observer
+
+    Raises
+    ------
+    ObserverOutsideDemError, NoElevationAtObserverError
+    """
     if observer.eye_elevation_m is not None:
         return float(observer.eye_elevation_m)
     return ground_elevation_m(terrain, frame) + observer.eye_height_m

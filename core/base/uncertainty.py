@@ -15,6 +15,12 @@ from .angles import difference
 Z_90 = 1.6448536269514722
 """A normal variable stays within this many standard deviations with probability 0.9."""
 
+TYPICAL_POSITION_ERROR_M = 8.0
+"""Standard deviation of a phone's GPS under open sky, along each axis [m]."""
+
+RADIUS_PER_AXIS = 1.5096
+"""A radius that holds 68 % of places is this many standard deviations of one coordinate (Rayleigh)."""
+
 PARAMETERS = ("heading_deg", "pitch_deg", "roll_deg", "log_focal", "east_m", "north_m", "height_m")
 
 
@@ -27,29 +33,32 @@ class PoseUncertainty:
     heading_deg, pitch_deg, roll_deg : float
         Of the pose [degrees].
     focal_relative : float
-        Of the focal length, as a share of it.
+        Of the focal length, as a share of it, at most 0.3.
     position_m : float
         Of the eye's place, east and north each [m].
     eye_m : float
         Of the eye's elevation [m].
     dem_m : float
-        Vertical error of the DEM [m], taken as constant over the part of a ray near its end.
+        Vertical error of the DEM [m]: of a cell against the terrain that could hide it, taken as constant over the
+        part of a ray near its end.
     """
 
     heading_deg: float = 0.5
-    pitch_deg: float = 0.2
-    roll_deg: float = 0.3
+    pitch_deg: float = 0.3
+    roll_deg: float = 0.5
     focal_relative: float = 0.01
-    position_m: float = 5.0
+    position_m: float = TYPICAL_POSITION_ERROR_M
     eye_m: float = 2.0
     dem_m: float = 3.0
 
-    def __post_init__(self):
-        if min(self.sigmas) < 0 or self.dem_m < 0:
+    def __post_init__(self) -> None:
+        if min(self.sigmas) < 0 or min(self.eye_m, self.dem_m) < 0:
             raise ValueError(f"standard deviations must not be negative: {self}")
+        if self.focal_relative > 0.3:
+            raise ValueError(f"the focal length's deviation is a share of it, at most 0.3: {self}")
 
     @property
-    def sigmas(self):
+    def sigmas(self) -> np.ndarray:
         """(7,) in the order of `PARAMETERS`; the last is the eye's height against the terrain at the ray's end."""
         height = float(np.hypot(self.eye_m, self.dem_m))
         return np.array(
@@ -57,14 +66,18 @@ class PoseUncertainty:
             + [self.position_m, self.position_m, height]
         )
 
-    def with_heading_interval(self, heading_lo_deg, heading_hi_deg):
+    def with_heading_interval(self, heading_lo_deg: float, heading_hi_deg: float) -> PoseUncertainty:
         """Take the heading's spread from its 90 % interval, clockwise from lo to hi [degrees]."""
         width = difference(heading_hi_deg, heading_lo_deg)
         width = width if width >= 0 else width + 360.0
         return replace(self, heading_deg=float(width / (2 * Z_90)))
 
+    def with_position_radius(self, radius_m: float) -> PoseUncertainty:
+        """Take the position's spread from the radius that holds the true place with probability 0.68 [m]."""
+        return replace(self, position_m=radius_m / RADIUS_PER_AXIS)
 
-def pose_draws(uncertainty, pairs=24, seed=20):
+
+def pose_draws(uncertainty: PoseUncertainty, pairs: int = 24, seed: int = 20) -> np.ndarray:
     """Draw deviations from a pose.
 
     Parameters

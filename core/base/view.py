@@ -1,4 +1,4 @@
-"""One oriented photograph as a geometer needs it: lens, pose, eye, and the way between ground, direction and pixel."""
+"""A photograph of known pose on a terrain, and the way between ground, direction and pixel."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ import numpy as np
 from .camera import Camera, Pose, in_frame, project, project_vectors, unproject
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from .frame import LocalFrame
-from .terrain import eye_elevation_m
+from .posed import PosedPhoto
+from .terrain import Terrain, eye_elevation_m
+from .uncertainty import PoseUncertainty
 
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """An oriented camera at its place.
+    """A posed photograph that has been opened on a terrain; see `open_view`.
 
     Attributes
     ----------
-    camera : Camera
-        Of the full upright picture.
-    pose : Pose
+    photo : PosedPhoto
     frame : LocalFrame
         Around the eye; places below are its local metres (east, north).
     eye_elevation_m : float
@@ -29,29 +29,72 @@ class View:
         See `core.base.curvature`.
     """
 
-    camera: Camera
-    pose: Pose
+    photo: PosedPhoto
     frame: LocalFrame
     eye_elevation_m: float
     refraction_coefficient: float = REFRACTION_COEFFICIENT
+
+    @property
+    def camera(self) -> Camera:
+        """Of the full upright picture."""
+        return self.photo.camera
+
+    @property
+    def pose(self) -> Pose:
+        """Where the camera looks."""
+        return self.photo.pose
+
+    @property
+    def uncertainty(self) -> PoseUncertainty:
+        """How well all this is known."""
+        return self.photo.uncertainty
 
     def ray_of(self, x_px, y_px):
         """Direction of pixels: true azimuth and elevation angle [degrees]."""
         return unproject(self.camera, self.pose, x_px, y_px)
 
     def direction_of(self, east_m, north_m, elevation_m):
-        """Direction of places: true azimuth, apparent elevation angle [degrees], and ground distance [m]."""
+        """Give the direction of places as the eye sees them.
+
+        Parameters
+        ----------
+        east_m, north_m : array
+            Local metres [m].
+        elevation_m : array
+            Absolute, in the DEM's height system [m].
+
+        Returns
+        -------
+        azimuth_deg, elevation_deg, distance_m : array
+            True azimuth and apparent elevation angle [degrees], ground distance [m].
+        """
         distance = np.hypot(east_m, north_m)
         azimuth = np.mod(np.degrees(np.arctan2(east_m, north_m)), 360.0)
         elevation = np.degrees(np.arctan2(self.rise_of(east_m, north_m, elevation_m), distance))
         return azimuth, elevation, distance
 
     def pixel_of(self, east_m, north_m, elevation_m):
-        """Pixels (x, y) of places, whether or not anything hides them; NaN behind the camera."""
+        """Give the pixels (x, y) of places, whether or not anything hides them; NaN behind the camera.
+
+        Parameters
+        ----------
+        east_m, north_m : array
+            Local metres [m].
+        elevation_m : array
+            Absolute, in the DEM's height system [m].
+        """
         return project_vectors(self.camera, self.pose, east_m, north_m, self.rise_of(east_m, north_m, elevation_m))
 
     def rise_of(self, east_m, north_m, elevation_m):
-        """Apparent height of places above the eye's horizontal plane, curvature and refraction included [m]."""
+        """Give the apparent height of places above the eye's horizontal plane, curvature and refraction included [m].
+
+        Parameters
+        ----------
+        east_m, north_m : array
+            Local metres [m].
+        elevation_m : array
+            Absolute, in the DEM's height system [m].
+        """
         drop = apparent_drop_m(np.hypot(east_m, north_m), self.refraction_coefficient)
         return np.subtract(elevation_m, self.eye_elevation_m) - drop
 
@@ -83,18 +126,22 @@ def outline_px(camera, per_side=33):
     return x * camera.width_px - 0.5, y * camera.height_px - 0.5
 
 
-def open_view(terrain, observer, camera, pose, max_distance_m, refraction_coefficient=REFRACTION_COEFFICIENT):
-    """Place an oriented camera on a terrain.
+def open_view(
+    terrain: Terrain,
+    photo: PosedPhoto,
+    max_distance_m: float,
+    refraction_coefficient: float = REFRACTION_COEFFICIENT,
+) -> View:
+    """Place a posed photograph on a terrain.
 
     Parameters
     ----------
     terrain : Terrain
-    observer : Observer
-    camera : Camera
-    pose : Pose
+    photo : PosedPhoto
     max_distance_m : float
         How far the view has to reach [m].
     refraction_coefficient : float
+        See `core.base.curvature`.
 
     Returns
     -------
@@ -104,6 +151,7 @@ def open_view(terrain, observer, camera, pose, max_distance_m, refraction_coeffi
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
     """
+    observer = photo.observer
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1.01 * max_distance_m)
     eye = eye_elevation_m(terrain, frame, observer)
-    return View(camera, pose, frame, eye, refraction_coefficient)
+    return View(photo, frame, eye, refraction_coefficient)

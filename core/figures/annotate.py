@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .labels import LabelOptions, lay_out_labels
-from .raster import draw_dot, draw_line, draw_words, encode_jpeg, resized, words_width
+from .raster import LineStyle, TypeStyle, draw_dot, draw_line, draw_words, encode_jpeg, resized, words_width
 from .svg import element, polyline_path
 from .text import escape
 
@@ -102,16 +102,17 @@ def annotation_pixels(annotation):
     for stroke in annotation.strokes:
         colour = VISIBLE_COLOUR if stroke.visible else HIDDEN_COLOUR
         dash = None if stroke.visible else (6 * unit, 5 * unit)
-        draw_line(pixels, stroke.x_px, stroke.y_px, colour, 2.2 * unit, dash, unit, 1.0 if stroke.visible else 0.55)
+        style = LineStyle(dash, unit, 1.0 if stroke.visible else 0.55)
+        draw_line(pixels, stroke.x_px, stroke.y_px, colour, 2.2 * unit, style)
     for label in annotation.labels:
         x, start, stop = label.leader
-        draw_line(pixels, [x, x], [start, stop], LABEL_COLOUR, 1.2 * unit, casing_px=unit)
+        draw_line(pixels, [x, x], [start, stop], LABEL_COLOUR, 1.2 * unit, LineStyle(casing_px=unit))
     for point in annotation.points:
         draw_dot(pixels, point.x_px, point.y_px, 2.6 * unit, VISIBLE_COLOUR, 1.2 * unit)
     for label in annotation.labels:
         x, y = label.left_px + 2 * unit, label.top_px + 0.76 * label.height_px
         words = annotation.points[label.index].words
-        draw_words(pixels, x, y, words, LABEL_COLOUR, _type_px(unit), "ls", max(round(1.6 * unit), 1))
+        draw_words(pixels, x, y, words, LABEL_COLOUR, TypeStyle(_type_px(unit), "ls", max(round(1.6 * unit), 1)))
     return pixels
 
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..base.terrain import Window
+from ..base.viewed import UNKNOWN
 from .map import MapData, map_image
-from .raster import draw_words, resized
+from .raster import TypeStyle, draw_words, resized
 from .text import azimuth
 
 MOST_CELLS = 600
@@ -45,7 +46,7 @@ class SeenGround:
 
     window: Window
     values: np.ndarray
-    unknown: int = 255
+    unknown: int = UNKNOWN
 
     def part(self, window):
         """Values of a window of the raster, 0 where it leaves the ground known here."""
@@ -73,7 +74,23 @@ class SeenGround:
         return int(rows[0]), int(rows[-1]), int(found[0]), int(found[-1])
 
 
-def ground_map(terrain, frame, seen, observers=(), track_px=None, *, shown=1, most_cells=MOST_CELLS):
+@dataclass(frozen=True)
+class GroundMapOptions:
+    """What a map must show, and how finely.
+
+    Attributes
+    ----------
+    shown : int
+        So many of the observers, from the first on, must lie on the map.
+    most_cells : int
+        Along the longer side of the result.
+    """
+
+    shown: int = 1
+    most_cells: int = MOST_CELLS
+
+
+def ground_map(terrain, frame, seen, observers=(), track_px=None, options=GroundMapOptions()):  # noqa: B008 - frozen
     """Cut out the map of what is seen.
 
     Parameters
@@ -86,19 +103,16 @@ def ground_map(terrain, frame, seen, observers=(), track_px=None, *, shown=1, mo
         Places on the raster [pixels]; those off the map are left out.
     track_px : (N, 2) array or None
         (column, row) of a way on the raster; NaN breaks it.
-    shown : int
-        So many of the observers, from the first on, must lie on the map.
-    most_cells : int
-        Along the longer side of the result.
+    options : GroundMapOptions
 
     Returns
     -------
     MapData
         Its sides differ by `LONGEST` at most where the raster is large enough; row 0 is at the top.
     """
-    observers = tuple(observers)
+    observers, shown = tuple(observers), options.shown
     window = _surroundings(seen.extent(), observers[:shown], frame, terrain.shape)
-    step = max(1, -(-max(window.rows, window.cols) // most_cells))
+    step = max(1, -(-max(window.rows, window.cols) // options.most_cells))
     elevation, visible = _reduced(terrain, seen, window, step)
     kept, placed = set(), []
     for index, observer in enumerate(observers):
@@ -221,6 +235,7 @@ def three_panels(photo, data, height_px=560, captions=True, say=str):
     drawn = []
     for letter, (pixels, words) in zip("abc", panels):
         if captions:
-            draw_words(pixels, 14, 12, f"{letter}  {words}", (255, 255, 255), height_px / 26, "la", bold=True)
+            style = TypeStyle(height_px / 26, "la", bold=True)
+            draw_words(pixels, 14, 12, f"{letter}  {words}", (255, 255, 255), style)
         drawn += [gap, resized(pixels, pixels.shape[1], height_px)]
     return np.hstack(drawn[1:])

@@ -100,7 +100,7 @@ def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
     placed = []
     for index in range(x_px.size):
         later = np.column_stack([x_px[index + 1 :], y_px[index + 1 :]])
-        room = _find_room(x_px[index], y_px[index], width_px[index], canvas_px, taken, later, options)
+        room = _find_room((x_px[index], y_px[index]), width_px[index], canvas_px, taken, later, options)
         if room is None:
             continue
         placed.append(PlacedLabel(index, *room, float(x_px[index]), float(y_px[index])))
@@ -108,8 +108,9 @@ def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
     return tuple(placed)
 
 
-def _find_room(x, y, width, canvas, taken, later, options):
+def _find_room(point, width, canvas, taken, later, options):
     """Cheapest free box (left, top, width, height), or None."""
+    x, y = point
     best, best_cost = None, np.inf
     for cost, box in _candidates(x, y, width, canvas, options):
         if cost >= best_cost:

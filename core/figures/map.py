@@ -8,7 +8,7 @@ import numpy as np
 
 from ..base.angles import true_to_grid
 from .hillshade import hillshade
-from .raster import draw_area, draw_dot, draw_line, draw_words, resized, tint, words_width
+from .raster import LineStyle, TypeStyle, draw_area, draw_dot, draw_line, draw_words, resized, tint, words_width
 from .svg import round_below
 
 WEDGE = (255, 154, 31)
@@ -123,7 +123,7 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
             _wedge(pixels, observer, place, data.convergence_deg, reach_px, unit)
     if data.track_px is not None and len(data.track_px):
         x, y = _place(data, pixels, *np.asarray(data.track_px, float).T)
-        draw_line(pixels, x, y, TRACK, 2.5 * unit, casing_px=1.2 * unit)
+        draw_line(pixels, x, y, TRACK, 2.5 * unit, LineStyle(casing_px=1.2 * unit))
     for observer, place in sorted(zip(data.observers, places), key=lambda pair: not pair[0].beside):
         radius = (2.4, TRACK, 1.0) if observer.beside else (4.5, OBSERVER, 1.8)
         draw_dot(pixels, *place, radius[0] * unit, radius[1], radius[2] * unit)
@@ -131,7 +131,7 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
     scale_bar(pixels, metres_per_px, unit)
     north_arrow(pixels, data.convergence_deg, unit)
     if title:
-        draw_words(pixels, 14 * unit, 14 * unit, title, INK, 20 * unit, "la", bold=True)
+        draw_words(pixels, 14 * unit, 14 * unit, title, INK, TypeStyle(20 * unit, "la", bold=True))
     return pixels
 
 
@@ -151,8 +151,8 @@ def scale_bar(pixels, metres_per_px, unit=1.0):
     left, base = 18 * unit, pixels.shape[0] - 18 * unit
     right = left + length_m / metres_per_px
     x, y = [left, left, right, right], [base - 7 * unit, base, base, base - 7 * unit]
-    draw_line(pixels, x, y, INK, 2.2 * unit, casing_px=1.4 * unit)
-    draw_words(pixels, (left + right) / 2, base - 6 * unit, words, INK, 15 * unit, "ms")
+    draw_line(pixels, x, y, INK, 2.2 * unit, LineStyle(casing_px=1.4 * unit))
+    draw_words(pixels, (left + right) / 2, base - 6 * unit, words, INK, TypeStyle(15 * unit, "ms"))
 
 
 def north_arrow(pixels, convergence_deg=0.0, unit=1.0):
@@ -176,7 +176,7 @@ def north_arrow(pixels, convergence_deg=0.0, unit=1.0):
         draw_area(pixels, *corner.T, colour)
         draw_line(pixels, *np.vstack([corner, corner[:1]]).T, (20, 24, 30), 1.2 * unit)
     label = np.array([x, y]) - 27 * unit * along
-    draw_words(pixels, *label, "N", INK, 16 * unit, "mm", bold=True)
+    draw_words(pixels, *label, "N", INK, TypeStyle(16 * unit, "mm", bold=True))
 
 
 def _relief(data, relief, width_px, height_px):
@@ -224,7 +224,7 @@ def _wedge(pixels, observer, place, convergence_deg, reach_px, unit):
     x = np.r_[place[0], place[0] + reach_px * np.sin(bearing), place[0]]
     y = np.r_[place[1], place[1] - reach_px * np.cos(bearing), place[1]]
     draw_area(pixels, x, y, WEDGE, 0.16)
-    draw_line(pixels, x, y, WEDGE, 1.8 * unit, casing_px=0.9 * unit)
+    draw_line(pixels, x, y, WEDGE, 1.8 * unit, LineStyle(casing_px=0.9 * unit))
 
 
 def _label(pixels, observers, places, unit):
@@ -243,7 +243,7 @@ def _label(pixels, observers, places, unit):
             inside = left >= 0 and box[1] >= 0 and box[2] <= pixels.shape[1] and base <= pixels.shape[0]
             if inside and not any(_overlap(box, other) for other in taken):
                 taken.append(box)
-                draw_words(pixels, left, base, observer.label, INK, size)
+                draw_words(pixels, left, base, observer.label, INK, TypeStyle(size))
                 break
 
 
@@ -267,5 +267,5 @@ def legend(pixels, entries, unit=1.0):
     left, base = pixels.shape[1] - wide - 40 * unit, pixels.shape[0] - 16 * unit
     for colour, words in reversed(list(entries)):
         draw_dot(pixels, left + 8 * unit, base - 5 * unit, 6 * unit, colour, 1.2 * unit)
-        draw_words(pixels, left + 20 * unit, base, words, INK, size)
+        draw_words(pixels, left + 20 * unit, base, words, INK, TypeStyle(size))
         base -= 22 * unit

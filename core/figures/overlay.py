@@ -7,11 +7,13 @@ casings keep the lines legible on snow and on rock. `overlay_image` burns all in
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from ..base.overlay_lines import full_size, photo_lines
-from .raster import draw_dot, draw_line, draw_words, resized, tint, words_width
+from .raster import LineStyle, TypeStyle, draw_dot, draw_line, draw_words, resized, tint, words_width
 from .svg import element, polyline_path
 from .text import azimuth
 
@@ -56,12 +58,12 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True, say=str):
     scale, unit = width_px / full_width, max(max(width_px, height_px) / 1280, 0.75)
     for rank, horizon in reversed(list(enumerate(horizons))):
         if rank == 0 and extracted is not None:
-            _draw(pixels, extracted, scale, EXTRACTED, 4.5 * unit, casing=1.2 * unit, opacity=0.85)
+            _draw(pixels, extracted, scale, EXTRACTED, 4.5 * unit, LineStyle(casing_px=1.2 * unit, opacity=0.85))
         colour = BEST if rank == 0 else ALTERNATIVES[rank - 1]
         dash = None if rank == 0 else (9 * unit, 6 * unit)
-        _draw(pixels, horizon, scale, colour, 2 * unit, casing=unit, dash=dash)
+        _draw(pixels, horizon, scale, colour, 2 * unit, LineStyle(dash, unit))
     if not horizons and extracted is not None:
-        _draw(pixels, extracted, scale, EXTRACTED, 3 * unit, casing=1.2 * unit)
+        _draw(pixels, extracted, scale, EXTRACTED, 3 * unit, LineStyle(casing_px=1.2 * unit))
     if legend:
         _legend(pixels, photo, extracted is not None, len(horizons), unit, say)
     return pixels
@@ -130,12 +132,12 @@ def _evidence_alpha(evidence):
     return np.rint(255 * np.sqrt(np.clip((smooth - flat) / EVIDENCE_FULL, 0, 1))).astype(np.uint8)
 
 
-def _draw(pixels, line, scale, colour, width, casing, dash=None, opacity=1.0):
+def _draw(pixels, line, scale, colour, width, style):
     for doubtful in (True, False):
         x, y = line.part(doubtful)
         x, y = (x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5
-        part_dash = (2.5 * width, width if dash is None else 3 * width) if doubtful else dash
-        draw_line(pixels, x, y, colour, width, part_dash, casing, opacity)
+        dash = (2.5 * width, width if style.dash_px is None else 3 * width) if doubtful else style.dash_px
+        draw_line(pixels, x, y, colour, width, replace(style, dash_px=dash))
 
 
 def _svg_line(line, key, class_, factor):
@@ -161,5 +163,5 @@ def _legend(pixels, photo, has_extracted, horizons, unit, say):
     at, base = 16 * unit, pixels.shape[0] - 14 * unit
     for colour, words in entries:
         draw_dot(pixels, at + 5 * unit, base - 5 * unit, 5 * unit, colour, unit)
-        draw_words(pixels, at + 16 * unit, base, words, colour, size, casing_px=max(round(2 * unit), 1))
+        draw_words(pixels, at + 16 * unit, base, words, colour, TypeStyle(size, casing_px=max(round(2 * unit), 1)))
         at += 34 * unit + words_width(words, size)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .labels import LabelOptions, lay_out_labels
-from .raster import draw_line, draw_words, words_width
+from .raster import LineStyle, TypeStyle, draw_line, draw_words, words_width
 from .svg import element, polyline_path
 from .text import compass_point, escape
 
@@ -53,16 +53,28 @@ class PanoramaDrawing:
     type_px: float
 
 
-def lay_out_panorama(
-    panorama,
-    labels=(),
-    frames=(),
-    left_deg=0.0,
-    pixels_per_degree=20.0,
-    exaggeration=1.0,
-    label_room_px=170.0,
-    say=str,
-):
+@dataclass(frozen=True)
+class PanoramaLayout:
+    """How the strip is laid out.
+
+    Attributes
+    ----------
+    left_deg : float
+        Azimuth at the left edge [degrees].
+    pixels_per_degree : float
+    exaggeration : float
+        Of heights over widths.
+    label_room_px : float
+        Sky kept above the highest outline for names.
+    """
+
+    left_deg: float = 0.0
+    pixels_per_degree: float = 20.0
+    exaggeration: float = 1.0
+    label_room_px: float = 170.0
+
+
+def lay_out_panorama(panorama, labels=(), frames=(), layout=PanoramaLayout(), say=str):  # noqa: B008 - frozen
     """Place outlines, names and photo frames on the strip.
 
     Parameters
@@ -71,13 +83,7 @@ def lay_out_panorama(
     labels : sequence of PanoramaLabel
         Most important first.
     frames : sequence of PanoramaFrame
-    left_deg : float
-        Azimuth at the left edge [degrees].
-    pixels_per_degree : float
-    exaggeration : float
-        Of heights over widths.
-    label_room_px : float
-        Sky kept above the highest outline for names.
+    layout : PanoramaLayout
     say : callable
         See `draw_text`.
 
@@ -87,7 +93,8 @@ def lay_out_panorama(
     """
     heights = np.concatenate([o.elevation_deg for o in panorama.outlines] or [np.zeros(1)])
     top, bottom = float(heights.max()) + MARGIN_TOP_DEG, float(heights.min()) - MARGIN_BOTTOM_DEG
-    scale_y = pixels_per_degree * exaggeration
+    left_deg, pixels_per_degree, label_room_px = layout.left_deg, layout.pixels_per_degree, layout.label_room_px
+    scale_y = pixels_per_degree * layout.exaggeration
     width, height = 360.0 * pixels_per_degree, label_room_px + (top - bottom) * scale_y + 34
 
     def place(azimuth_deg, elevation_deg):
@@ -154,20 +161,20 @@ def panorama_pixels(drawing):
     """Draw into uint8 (h, w, 3) pixels."""
     pixels = np.empty((round(drawing.height), round(drawing.width), 3), np.uint8)
     pixels[:] = SKY
-    draw_line(pixels, [0, drawing.width], [drawing.level_y] * 2, GROUND_LINE, 1, (6, 6))
+    draw_line(pixels, [0, drawing.width], [drawing.level_y] * 2, GROUND_LINE, 1, LineStyle((6, 6)))
     for x, y, colour, stroke in drawing.lines:
         draw_line(pixels, x, y, colour, stroke)
     for words, x, y in drawing.frames:
         draw_line(pixels, x, y, PHOTO_INK, 2)
-        draw_words(pixels, x[0] + 4, y[0] + 15, words, PHOTO_INK, 13, casing_px=0)
+        draw_words(pixels, x[0] + 4, y[0] + 15, words, PHOTO_INK, TypeStyle(13, casing_px=0))
     for label in drawing.labels:
         at, start, stop = label.leader
         draw_line(pixels, [at, at], [start, stop], TEXT_INK, 1)
         draw_words(pixels, label.left_px + 2, label.top_px + 0.76 * label.height_px, drawing.words[label.index],
-                   TEXT_INK, drawing.type_px, casing_px=0)  # fmt: skip
+                   TEXT_INK, TypeStyle(drawing.type_px, casing_px=0))  # fmt: skip
     for at, words in drawing.axis:
         draw_line(pixels, [at, at], [drawing.height - 30, drawing.height - 22], TEXT_INK, 1)
-        draw_words(pixels, at, drawing.height - 8, words, TEXT_INK, 13, "ms", casing_px=0)
+        draw_words(pixels, at, drawing.height - 8, words, TEXT_INK, TypeStyle(13, "ms", casing_px=0))
     return pixels
 
 

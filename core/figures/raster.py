@@ -7,6 +7,7 @@ imported when first needed; without it pictures are missed in a sentence, and ev
 from __future__ import annotations
 
 import io
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -68,7 +69,26 @@ def tint(pixels, coverage, colour):
     np.copyto(pixels, np.rint(pixels * (1 - share) + np.asarray(colour, float) * share).astype(np.uint8))
 
 
-def draw_line(pixels, x_px, y_px, colour, width_px=2.0, dash_px=None, casing_px=0.0, opacity=1.0):
+@dataclass(frozen=True)
+class LineStyle:
+    """How a line is drawn beside its colour and width.
+
+    Attributes
+    ----------
+    dash_px : (float, float) or None
+        Lengths drawn and left out along the line [pixels].
+    casing_px : float
+        Width of a dark border on either side, which keeps the line legible on any ground [pixels].
+    opacity : float
+        0 to 1.
+    """
+
+    dash_px: tuple | None = None
+    casing_px: float = 0.0
+    opacity: float = 1.0
+
+
+def draw_line(pixels, x_px, y_px, colour, width_px=2.0, style=LineStyle()):  # noqa: B008 - frozen
     """Draw a smooth line, in place, broken where a coordinate is not finite.
 
     Parameters
@@ -79,18 +99,13 @@ def draw_line(pixels, x_px, y_px, colour, width_px=2.0, dash_px=None, casing_px=
     colour : (3,) uint8
     width_px : float
         [pixels].
-    dash_px : (float, float) or None
-        Lengths drawn and left out along the line [pixels].
-    casing_px : float
-        Width of a dark border on either side, which keeps the line legible on any ground [pixels].
-    opacity : float
-        0 to 1.
+    style : LineStyle
     """
-    pieces = _pieces(np.asarray(x_px, float), np.asarray(y_px, float), dash_px)
+    pieces = _pieces(np.asarray(x_px, float), np.asarray(y_px, float), style.dash_px)
     pieces = [piece for piece in pieces if len(piece) > 1]
-    if casing_px:
-        _cover(pixels, pieces, CASING, width_px + 2 * casing_px, 0.65 * opacity)
-    _cover(pixels, pieces, colour, width_px, opacity)
+    if style.casing_px:
+        _cover(pixels, pieces, CASING, width_px + 2 * style.casing_px, 0.65 * style.opacity)
+    _cover(pixels, pieces, colour, width_px, style.opacity)
 
 
 def draw_area(pixels, x_px, y_px, colour, opacity=1.0):
@@ -128,7 +143,28 @@ def draw_dot(pixels, x_px, y_px, radius_px, colour, casing_px=1.5):
         _paint(pixels, lambda draw, scaled, box=corners: draw.ellipse(scaled(box), fill=255), corners, 1, fill, 1.0)
 
 
-def draw_words(pixels, x_px, y_px, words, colour, size_px=14, anchor="ls", casing_px=2, bold=False):
+@dataclass(frozen=True)
+class TypeStyle:
+    """How words are written.
+
+    Attributes
+    ----------
+    size_px : float
+        Height of the type [pixels].
+    anchor : str
+        Pillow's two letters: l, m, r and a (top), m, s (base line).
+    casing_px : int
+        Width of the border; dark under light words, light under dark ones.
+    bold : bool
+    """
+
+    size_px: float = 14
+    anchor: str = "ls"
+    casing_px: int = 2
+    bold: bool = False
+
+
+def draw_words(pixels, x_px, y_px, words, colour, style=TypeStyle()):  # noqa: B008 - frozen
     """Write words with a border of the opposite brightness, in place.
 
     Parameters
@@ -139,13 +175,7 @@ def draw_words(pixels, x_px, y_px, words, colour, size_px=14, anchor="ls", casin
     words : str
         One line of any origin.
     colour : (3,) uint8
-    size_px : float
-        Height of the type [pixels].
-    anchor : str
-        Pillow's two letters: l, m, r and a (top), m, s (base line).
-    casing_px : int
-        Width of the border; dark under light words, light under dark ones.
-    bold : bool
+    style : TypeStyle
     """
     image, draw_module = _pillow("Image"), _pillow("ImageDraw")
     canvas = image.fromarray(pixels)
@@ -154,9 +184,9 @@ def draw_words(pixels, x_px, y_px, words, colour, size_px=14, anchor="ls", casin
         (x_px, y_px),
         plain(words, 120),
         fill=tuple(int(c) for c in colour),
-        font=_font(size_px, bold),
-        anchor=anchor,
-        stroke_width=casing_px,
+        font=_font(style.size_px, style.bold),
+        anchor=style.anchor,
+        stroke_width=style.casing_px,
         stroke_fill=halo,
     )
     np.copyto(pixels, np.asarray(canvas))

@@ -47,7 +47,7 @@ def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", widt
         at = float(x(wrap_360(compass_true_deg)))
         parts.append(line(at, y.stop, at, y.start, "compass"))
         parts.append(text(*_beside(at, y.start - 5, width), class_="name-compass", words=say("compass")))
-    parts += _candidate_marks(orientation, headings, scores, x, y, width, say)
+    parts += _candidate_marks(orientation, (headings, scores), (x, y), width, say)
     title = say("{score} over all headings").format(score=score_name)
     return figure(width, height, title, _in_words(orientation, compass_true_deg, say), *parts)
 
@@ -150,7 +150,9 @@ def _interval(orientation, x, y):
     ]
 
 
-def _candidate_marks(orientation, headings, scores, x, y, width, say):
+def _candidate_marks(orientation, curve, axes, width, say):
+    """Mark the candidates on a curve (headings, scores), drawn along two axes (x, y)."""
+    (headings, scores), (x, y) = curve, axes
     parts, labels = [], []
     for rank, candidate in enumerate(orientation.candidates[:3]):
         heading = float(wrap_360(candidate.pose.heading_deg))

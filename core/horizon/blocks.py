@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.progress import SILENT, checkpoint
-from ..base.terrain import Window, read_into
+from ..base.terrain import Terrain, Window
 
 STRIP_ROWS = 256
 """Strips start at multiples of this many rows, so that no tile of a usual file is decoded twice."""
@@ -55,8 +55,8 @@ class BlockMaxima:
         start = self.window.col if axis else self.window.row
         return (np.asarray(place_px) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
 
-    def flat_index(self, block_row, block_col):
-        """Places in the flattened tables of rows and columns counted in blocks, which are overwritten."""
+    def flat_index_in_place(self, block_row, block_col):
+        """Places in the flattened tables of rows and columns counted in blocks, two arrays that are overwritten."""
         row, col = (self._held(place, axis, place) for axis, place in enumerate((block_row, block_col)))
         row *= self.highest_m.shape[1]
         row += col
@@ -67,7 +67,15 @@ class BlockMaxima:
         return np.maximum(place, 0.0, out=out).astype(np.intp)
 
     def highest_around(self, col_px, row_px, half_px):
-        """Highest known elevation within so many cells, at most half a block, of pixels of the whole raster [m]."""
+        """Bound the known elevations around places [m].
+
+        Parameters
+        ----------
+        col_px, row_px : array
+            Of the whole raster [pixels].
+        half_px : float
+            How far around, at most half a block [cells].
+        """
         (top, left), (bottom, right) = (self.index(col_px + way, row_px + way) for way in (-half_px, half_px))
         cols, flat = self.own_m.shape[1], self.own_m.reshape(-1)
         corners = (flat.take(row * cols + col) for row in (top, bottom) for col in (left, right))
@@ -75,7 +83,16 @@ class BlockMaxima:
 
 
 def aligned(window, block, shape):
-    """Grow a window so that it starts at whole blocks; cut to a raster of `shape`."""
+    """Grow a window so that it starts at whole blocks.
+
+    Parameters
+    ----------
+    window : Window
+    block : int
+        Side of a block [cells].
+    shape : (rows, columns)
+        Of the raster, to which the window is cut.
+    """
     row, col = max(window.row, 0) // block * block, max(window.col, 0) // block * block
     return Window(row, col, window.row + window.rows - row, window.col + window.cols - col).clipped(shape)
 
@@ -109,7 +126,7 @@ def block_maxima(terrain, window, block, progress=SILENT, columns=None):
         left, right = _block_columns(None if columns is None else columns(row, end - 1), window, block)
         if left < right:
             cols = min(right * block, window.cols) - left * block
-            strip = terrain.read(Window(row, window.col + left * block, end - row, cols))
+            strip = terrain.read_transient(Window(row, window.col + left * block, end - row, cols))
             place = slice((row - window.row) // block, -(-(end - window.row) // block)), slice(left, right)
             maxima = _maxima_of(strip, block)
             unknown = np.isnan(maxima)
@@ -173,7 +190,7 @@ def highest_close_by(terrain, window, half_px):
     callable
         (column, row) of the whole raster [pixels] -> highest known elevation [m], -inf where nothing is known.
     """
-    cells = terrain.read(window)
+    cells = terrain.read_transient(window)
     highest = _with_neighbours(np.where(np.isnan(cells), np.float32(-np.inf), cells), int(half_px + 0.5))
 
     def at(col_px, row_px):
@@ -183,7 +200,7 @@ def highest_close_by(terrain, window, half_px):
     return at
 
 
-class HeldTerrain:
+class HeldTerrain(Terrain):
     """A terrain of which the rows nearest one place stay in memory once they are read.
 
     Parameters
@@ -214,20 +231,28 @@ class HeldTerrain:
         self._first, self._last = np.full(self._kept.rows, self._kept.cols), np.zeros(self._kept.rows, int)
 
     def read(self, window):
-        """See `Terrain.read`; holds until the next reading, and is not to be written to."""
+        """See `Terrain.read`."""
+        return self.read_transient(window).copy()
+
+    def frame(self, longitude_deg, latitude_deg, radius_m):
+        """See `Terrain.frame`."""
+        return self._terrain.frame(longitude_deg, latitude_deg, radius_m)
+
+    def read_transient(self, window):
+        """See `Terrain.read_transient`: rows that are not kept come into memory that the next reading overwrites."""
         cells = self._kept_cells(window)
         if cells is None:
             size = window.rows * window.cols
             cells = np.empty(size, np.float32) if size > len(self._scratch) else self._scratch[:size]
             cells = cells.reshape(window.rows, window.cols)
-            read_into(self._terrain, window, cells)
+            self._terrain.read_into(window, cells)
         return cells
 
     def read_into(self, window, out):
-        """Read into a (rows, cols) float32 array."""
+        """See `Terrain.read_into`."""
         cells = self._kept_cells(window)
         if cells is None:
-            read_into(self._terrain, window, out)
+            self._terrain.read_into(window, out)
         else:
             out[...] = cells
 
@@ -241,12 +266,20 @@ class HeldTerrain:
         if self._first[rows].max(initial=0) > cols.start or self._last[rows].min(initial=kept.cols) < cols.stop:
             if self._last[rows].any():  # lest what is known be forgotten
                 return None
-            read_into(self._terrain, window, self._cells[rows, cols])
+            self._terrain.read_into(window, self._cells[rows, cols])
             self._first[rows], self._last[rows] = cols.start, cols.stop
         return self._cells[rows, cols]
 
     def held(self, row_px, col_px, margin_px):
-        """Tell around which pixels all cells up to a margin, with the interpolation's stencil, are in memory."""
+        """Tell around which pixels all cells are in memory.
+
+        Parameters
+        ----------
+        row_px, col_px : (N,) arrays
+            Of the whole raster [pixels].
+        margin_px : int
+            How far around, to which the interpolation's stencil is added [cells].
+        """
         kept = self._kept
         if kept.rows == 0:
             return np.zeros(len(row_px), bool)

@@ -18,9 +18,8 @@ from ..base.model import HorizonProfile
 from ..base.progress import SILENT, subtask
 from ..base.terrain import Window, eye_elevation_m
 from .blocks import STRIP_ROWS, HeldTerrain, aligned, block_maxima
-from .rays import lay_rays
-from .refine import Sight
-from .search import Search
+from .rays import EyeRays, lay_rays
+from .search import Search, nothing_found
 
 BLOCK = 8
 """Side of the blocks whose maxima bound the rays' intervals [cells]."""
@@ -119,8 +118,9 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     eye_m = eye_elevation_m(terrain, frame, observer)
     rays = lay_rays(frame, terrain.shape, options.azimuth_deg, options.max_distance_m)
     edge_m, block = _intervals(rays, options.near_skip_cells * frame.cell_m)
+    sight = EyeRays(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     if len(edge_m) < 2:
-        return _profile(rays, options, eye_m, frame.cell_m, -np.inf)
+        return _profile(sight, options, -np.inf, nothing_found(rays))
 
     window = aligned(_window(rays, terrain.shape), block, terrain.shape)
     terrain = HeldTerrain(terrain, window, frame.row_px, options.memory_mb)
@@ -130,11 +130,9 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
         return rays.columns(first_row, last_row, margin_px)
 
     blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7), columns)
-    sight = Sight(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
-    search = Search(terrain, sight, blocks, summit_m)
-    tangent, distance, void, known_m = search.run(frame.cell_m, subtask(progress, 0.7, 1.0))
-    return _profile(rays, options, eye_m, frame.cell_m, summit_m, tangent, distance, void, known_m)
+    found = Search(terrain, sight, blocks, summit_m).run(frame.cell_m, subtask(progress, 0.7, 1.0))
+    return _profile(sight, options, summit_m, found)
 
 
 def _intervals(rays, start_m):
@@ -166,21 +164,18 @@ def _window(rays, shape):
     return Window(top, left, bottom - top, right - left).clipped(shape)
 
 
-def _profile(rays, options, eye_m, cell_m, summit_m, tangent=None, distance=None, void=None, known_m=None):
+def _profile(sight, options, summit_m, found):
     """Put the result together and judge where the DEM ends too early."""
-    count = len(rays.azimuth_deg)
-    tangent = np.full(count, -np.inf) if tangent is None else tangent
-    distance = np.full(count, np.nan) if distance is None else distance
-    reach = rays.reach_m if known_m is None else known_m
+    tangent = found.tangent
     return HorizonProfile(
-        azimuth_deg=rays.azimuth_deg,
+        azimuth_deg=sight.rays.azimuth_deg,
         elevation_deg=np.degrees(np.arctan(np.where(np.isfinite(tangent), tangent, np.nan))),
-        distance_m=distance,
-        clipped=_clipped(reach, tangent, summit_m - eye_m, options),
-        void=np.zeros(count, bool) if void is None else void,
-        eye_elevation_m=eye_m,
-        cell_m=cell_m,
-        reach_m=reach,
+        distance_m=found.distance_m,
+        clipped=_clipped(found.known_m, tangent, summit_m - sight.eye_m, options),
+        void=found.void,
+        eye_elevation_m=sight.eye_m,
+        cell_m=sight.cell_m,
+        reach_m=found.known_m,
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.terrain import Window, read_into
+from ..base.terrain import Window
 
 TILE = 256
 """Intervals whose middles lie in one square of this side share a piece [cells]."""
@@ -43,7 +43,8 @@ class Pieces:
         """Bilinear elevation at (J, K) pixels of the whole raster, K per job [m]; NaN where unknown.
 
         Half a cell beyond the raster's outer centres these hold. Shares are taken before a window's origin is
-        subtracted: the result is the same to the last bit whichever window the cells come from.
+        subtracted: the result is the same to the last bit whichever window the cells come from. (`bilinear` cannot
+        promise that, and reads one window at a time.)
         """
         row0, row_share = _split(row_px, self.top, self.rows)
         col0, col_share = _split(col_px, self.left, self.cols)
@@ -118,12 +119,21 @@ def _of_known(values, row_share, col_share):
 
 
 def one_piece(cells, window, count):
-    """All jobs' terrain in one window, whose `cells` are in memory already."""
+    """Give the terrain of jobs that lie in one window.
+
+    Parameters
+    ----------
+    cells : (rows, cols) float32 array
+        Of the window [m].
+    window : Window
+    count : int
+        Of the jobs.
+    """
     place = 0, window.row, window.col, window.rows, window.cols
     return Pieces(np.ascontiguousarray(cells).reshape(-1), *(np.full(count, number) for number in place))
 
 
-def read_pieces(terrain, row_px, col_px, margin_px):
+def read_transient_pieces(terrain, row_px, col_px, margin_px):
     """Read the terrain around places, square by square.
 
     Parameters
@@ -138,7 +148,7 @@ def read_pieces(terrain, row_px, col_px, margin_px):
     ------
     jobs : int array
     pieces : Pieces
-        Of these jobs, in their order; hold until the next are asked for.
+        Of these jobs, in their order; asking for the next ones overwrites their cells.
     """
     if len(row_px) == 0:
         return
@@ -160,7 +170,22 @@ def read_pieces(terrain, row_px, col_px, margin_px):
 
 
 def by_tiles(row_px, col_px, shape):
-    """Order in which places of one square follow one another, and the squares' numbers (not yet in that order)."""
+    """Sort places by the squares that they lie in.
+
+    Parameters
+    ----------
+    row_px, col_px : (J,) arrays
+        [pixels].
+    shape : (rows, columns)
+        Of the raster.
+
+    Returns
+    -------
+    order : (J,) int array
+        In which places of one square follow one another.
+    key : (J,) int array
+        Number of each place's square, not yet in that order.
+    """
     rows, cols = shape
     tile_row = np.clip(row_px, 0, rows - 1).astype(np.intp) // TILE
     tile_col = np.clip(col_px, 0, cols - 1).astype(np.intp) // TILE
@@ -180,7 +205,7 @@ def _read(terrain, windows, count, cells):
     corners, corner = [], 0
     for window in windows:
         size = window.rows * window.cols
-        read_into(terrain, window, cells[corner : corner + size].reshape(window.rows, window.cols))
+        terrain.read_into(window, cells[corner : corner + size].reshape(window.rows, window.cols))
         corners.append(corner)
         corner += size
     places = [(window.row, window.col, window.rows, window.cols) for window in windows]

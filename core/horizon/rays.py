@@ -62,8 +62,17 @@ class Rays:
         )
 
     def columns(self, first_row, last_row, margin_px):
-        """First and last column that rays touch between two rows, with a margin all around; None where too few tell.
+        """Find the first and last column that rays touch between two rows; None where there are too few to tell.
 
+        Parameters
+        ----------
+        first_row, last_row : int
+            Of the whole raster.
+        margin_px : int
+            Added all around [cells].
+
+        Notes
+        -----
         Rays lie around the observer like the ribs of a fan, so that their ends, close together, outline what they
         cover; between two of them lies no more than their distance.
         """
@@ -88,9 +97,96 @@ class Rays:
         return float(change[inside].max()) / step
 
 
-def lay_rays(frame, shape, azimuth_deg, max_distance_m):
-    """Lay rays from the frame's observer over a raster of `shape` (rows, columns).
+@dataclass(frozen=True, eq=False)
+class EyeRays:
+    """What every tangent needs: rays, interval edges, eye and curvature.
 
+    Attributes
+    ----------
+    rays : Rays
+    edge_m : (N + 1,) array
+        Ground distances that divide each ray into intervals [m].
+    eye_m : float
+        Elevation of the eye [m].
+    drop_per_m2 : float
+        Apparent drop over distance squared [1/m].
+    lines_per_cell : int
+        Grid lines per cell, in columns and in rows, on which samples lie.
+    cell_m : float
+        Ground size of a cell [m].
+    """
+
+    rays: Rays
+    edge_m: np.ndarray
+    eye_m: float
+    drop_per_m2: float
+    lines_per_cell: int
+    cell_m: float
+
+    def tangent(self, elevation_m, distance_m):
+        """Tangent of the elevation angle under which terrain at a distance is seen."""
+        return (elevation_m - self.eye_m) / distance_m - self.drop_per_m2 * distance_m
+
+
+@dataclass(frozen=True, eq=False)
+class IntervalJobs:
+    """Intervals of rays that are to be sampled.
+
+    Attributes
+    ----------
+    ray, interval : (J,) int arrays
+    floor : (J,) array
+        Tangents that the caller has already: intervals that stay well below are not looked at more closely.
+    doubtful : (J,) bool array
+        Around which intervals there may be cells without data; around all others there are none.
+    """
+
+    ray: np.ndarray
+    interval: np.ndarray
+    floor: np.ndarray
+    doubtful: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Stretches:
+    """The intervals as they lie on the raster.
+
+    Attributes
+    ----------
+    ends : tuple of four (J,) arrays
+        Column and row of their starts, column and row of their ends [pixels].
+    start_m, end_m : (J,) arrays
+        Distances of both [m].
+    """
+
+    ends: tuple
+    start_m: np.ndarray
+    end_m: np.ndarray
+
+    def part(self, chosen):
+        """Give some of them."""
+        return Stretches(tuple(place[chosen] for place in self.ends), self.start_m[chosen], self.end_m[chosen])
+
+
+def lay_rays(frame, shape, azimuth_deg, max_distance_m):
+    """Lay rays from the frame's observer over a raster.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    shape : (rows, columns)
+        Of the raster.
+    azimuth_deg : (A,) array
+        True [degrees].
+    max_distance_m : float
+        [m].
+
+    Returns
+    -------
+    Rays
+
+    Notes
+    -----
     A ray ends where it leaves the outer cells' area for the first time, or at `max_distance_m`.
     """
     limit = max_distance_m

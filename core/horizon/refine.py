@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..base.progress import SILENT, checkpoint
-from .pieces import by_tiles, one_piece, read_pieces
-from .rays import Rays
+from .pieces import by_tiles, one_piece, read_transient_pieces
+from .rays import Stretches
 
 BULGE = 0.25
 """The surface between grid lines is looked at where the best sample on them is not this far below the floor [cells]."""
@@ -17,51 +15,16 @@ BATCH = 2048
 """Intervals sampled at once: some ten thousand samples stay in the processor's cache."""
 
 
-@dataclass(frozen=True, eq=False)
-class Sight:
-    """What every tangent needs: rays, interval edges, eye and curvature.
-
-    Attributes
-    ----------
-    rays : Rays
-    edge_m : (N + 1,) array
-        Ground distances that divide each ray into intervals [m].
-    eye_m : float
-        Elevation of the eye [m].
-    drop_per_m2 : float
-        Apparent drop over distance squared [1/m].
-    lines_per_cell : int
-        Grid lines per cell, in columns and in rows, on which samples lie.
-    cell_m : float
-        Ground size of a cell [m].
-    """
-
-    rays: Rays
-    edge_m: np.ndarray
-    eye_m: float
-    drop_per_m2: float
-    lines_per_cell: int
-    cell_m: float
-
-    def tangent(self, elevation_m, distance_m):
-        """Tangent of the elevation angle under which terrain at a distance is seen."""
-        return (elevation_m - self.eye_m) / distance_m - self.drop_per_m2 * distance_m
-
-
-def search_intervals(terrain, sight, ray, interval, floor, margin_px, doubtful, progress=SILENT):
+def search_intervals(terrain, sight, wanted, margin_px, progress=SILENT):
     """Find the highest tangent within each of many (ray, interval) pairs.
 
     Parameters
     ----------
     terrain : HeldTerrain
-    sight : Sight
-    ray, interval : (J,) int arrays
-    floor : (J,) array
-        Tangents that the caller has already: intervals that stay well below are not looked at more closely.
+    sight : EyeRays
+    wanted : IntervalJobs
     margin_px : int
         How far an interval reaches from its middle, with the interpolation's stencil [cells].
-    doubtful : (J,) bool array
-        Around which intervals there may be cells without data; around all others there are none.
     progress : Progress
 
     Returns
@@ -71,6 +34,7 @@ def search_intervals(terrain, sight, ray, interval, floor, margin_px, doubtful, 
     void : (J,) bool array
         A sample of the interval falls on cells without data.
     """
+    ray, interval = wanted.ray, wanted.interval
     tangent, distance = np.full(len(ray), -np.inf), np.full(len(ray), np.nan)
     void = np.zeros(len(ray), bool)
     plain = sight.lines_per_cell == 1
@@ -80,13 +44,14 @@ def search_intervals(terrain, sight, ray, interval, floor, margin_px, doubtful, 
             checkpoint(progress, done / len(ray))
             here = np.arange(first, min(first + BATCH, len(jobs)))
             done += len(here)
-            unsure = doubtful[jobs[here]] if plain else np.ones(len(here), bool)
+            unsure = wanted.doubtful[jobs[here]] if plain else np.ones(len(here), bool)
             for place, sample in ((here[~unsure], _sample_crossings), (here[unsure], _sample_all)):
                 if len(place) == 0:
                     continue
                 part = jobs[place]
+                stretches = _stretches(sight, ray[part], interval[part])
                 tangent[part], distance[part], void[part] = _sample(
-                    sample, pieces.part(place), sight, ray[part], interval[part], floor[part]
+                    sample, pieces.part(place), sight, stretches, wanted.floor[part]
                 )
     return tangent, distance, void
 
@@ -100,23 +65,26 @@ def _pieces(terrain, sight, ray, interval, margin_px):
     if len(known):
         window, cells = terrain.kept()
         yield known[by_tiles(row[known], col[known], terrain.shape)[0]], one_piece(cells, window, len(known))
-    for jobs, pieces in read_pieces(terrain, row[others], col[others], margin_px):
+    for jobs, pieces in read_transient_pieces(terrain, row[others], col[others], margin_px):
         yield others[jobs], pieces
 
 
-def _sample(sample, pieces, sight, ray, interval, floor):
+def _stretches(sight, ray, interval):
     start = sight.edge_m[interval]
     end = np.minimum(sight.edge_m[interval + 1], sight.rays.reach_m[ray])
-    ends = *sight.rays.at_pairs(ray, start), *sight.rays.at_pairs(ray, end)
-    top, where, void = sample(pieces, sight, ends, start, end)
+    return Stretches((*sight.rays.at_pairs(ray, start), *sight.rays.at_pairs(ray, end)), start, end)
+
+
+def _sample(sample, pieces, sight, stretches, floor):
+    start, end = stretches.start_m, stretches.end_m
+    top, where, void = sample(pieces, sight, stretches)
     near = np.flatnonzero((top > floor - BULGE * sight.cell_m / end) | np.isnan(where))
     if len(near):
-        ahead = [place[near] for place in ends], start[near], end[near]
-        top[near], where[near] = crest(pieces.part(near), sight, *ahead, top[near], where[near])
+        top[near], where[near] = crest(pieces.part(near), sight, stretches.part(near), top[near], where[near])
     return top, np.where(np.isfinite(top), start + where * (end - start), np.nan), void
 
 
-def _sample_crossings(pieces, sight, ends, start, end):
+def _sample_crossings(pieces, sight, stretches):
     """Highest tangent on the lines of cell centres that each interval crosses, where every cell is known.
 
     Between two crossings the interpolated surface has no kink, so the highest tangent seldom lies elsewhere.
@@ -128,8 +96,9 @@ def _sample_crossings(pieces, sight, ends, start, end):
     void : (J,) bool array
         False.
     """
-    col0, row0, col1, row1 = ends
-    length = (end - start)[:, None]
+    col0, row0, col1, row1 = stretches.ends
+    start = stretches.start_m
+    length = (stretches.end_m - start)[:, None]
     top, where = np.full(len(start), -np.inf), np.full(len(start), np.nan)
     for columns, first, last, aside, aside_end in ((True, col0, col1, row0, row1), (False, row0, row1, col0, col1)):
         lowest, highest = np.ceil(np.minimum(first, last)), np.floor(np.maximum(first, last))
@@ -155,8 +124,9 @@ def _sample_crossings(pieces, sight, ends, start, end):
     return top, where, np.zeros(len(start), bool)
 
 
-def _sample_all(pieces, sight, ends, start, end):
+def _sample_all(pieces, sight, stretches):
     """The same on any number of lines per cell, at the intervals' ends too, and with cells that are unknown."""
+    ends, start, end = stretches.ends, stretches.start_m, stretches.end_m
     share = _shares(sight, *ends)
     col0, row0, col1, row1 = (place[:, None] for place in ends)
     elevation = pieces.elevation_m(row0 + (row1 - row0) * share, col0 + (col1 - col0) * share)
@@ -184,7 +154,7 @@ HAIR = 1e-9
 """A sample this near to a grid line lies on it [cells]."""
 
 
-def crest(pieces, sight, ends, start, end, top, where):
+def crest(pieces, sight, stretches, top, where):
     """Find the highest tangent between the two grid lines around each interval's best sample.
 
     Along a ray the bilinear surface of one cell is a parabola. Three samples give it, and the point at which a line
@@ -193,11 +163,8 @@ def crest(pieces, sight, ends, start, end, top, where):
     Parameters
     ----------
     pieces : Pieces
-    sight : Sight
-    ends : tuple of four (J,) arrays
-        Column and row of the intervals' starts, column and row of their ends [pixels].
-    start, end : (J,) arrays
-        Distances of both [m].
+    sight : EyeRays
+    stretches : Stretches
     top, where : (J,) arrays
         Highest tangent so far, and at which share of the interval; NaN where there is none: the interval crosses no
         line.
@@ -206,6 +173,7 @@ def crest(pieces, sight, ends, start, end, top, where):
     -------
     top, where : (J,) arrays
     """
+    ends, start, end = stretches.ends, stretches.start_m, stretches.end_m
     nodes = _lines_around(ends, where)
     share = np.empty((len(top), 2 * nodes.shape[1] - 1))
     share[:, ::2], share[:, 1::2] = nodes, (nodes[:, 1:] + nodes[:, :-1]) / 2
@@ -213,7 +181,8 @@ def crest(pieces, sight, ends, start, end, top, where):
     distance = start[:, None] + (end - start)[:, None] * share
     height = pieces.elevation_m(row0 + (row1 - row0) * share, col0 + (col1 - col0) * share) - sight.eye_m
     three = slice(0, -2, 2), slice(1, None, 2), slice(2, None, 2)
-    along, between = _touch(*(values[:, part] for values in (height, distance) for part in three), sight.drop_per_m2)
+    heights, distances = (tuple(values[:, part] for part in three) for values in (height, distance))
+    along, between = _touch(heights, distances, sight.drop_per_m2)
     share = np.concatenate([share, nodes[:, :-1] + np.diff(nodes) * along], axis=1)
     tangent = np.concatenate([height / distance - sight.drop_per_m2 * distance, between], axis=1)
     tangent[np.isnan(tangent)] = -np.inf
@@ -242,15 +211,13 @@ def _lines_around(ends, where):
     return np.clip(np.stack([far_behind, behind, first, ahead, far_ahead], axis=1), 0.0, 1.0)
 
 
-def _touch(first, middle, last, near, _, far, drop_per_m2):
+def _touch(heights_m, distances_m, drop_per_m2):
     """Where the line of sight over a parabola touches it.
 
     Parameters
     ----------
-    first, middle, last : array
-        Heights above the eye at the start, the middle and the end of a stretch [m].
-    near, far : array
-        Distances of its start and its end [m].
+    heights_m, distances_m : three arrays each
+        Heights above the eye at the start, the middle and the end of a stretch, and the distances there [m].
     drop_per_m2 : float
 
     Returns
@@ -258,6 +225,7 @@ def _touch(first, middle, last, near, _, far, drop_per_m2):
     along, tangent : array
         Share of the stretch, and tangent of the elevation angle there; NaN where no line touches it from above.
     """
+    (first, middle, last), (near, _, far) = heights_m, distances_m
     reach = far - near
     slope, bend = 4 * middle - 3 * first - last, 2 * (first + last - 2 * middle)
     # (first + slope u + bend u^2) / d - drop d with d = near + reach u has its extremes where, written in d, the same

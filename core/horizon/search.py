@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..base.progress import SILENT, checkpoint, subtask
 from ..base.terrain import Window
 from .blocks import highest_close_by
+from .rays import IntervalJobs
 from .refine import search_intervals
 
 CHUNK_PAIRS = 30_000
@@ -23,25 +24,42 @@ LEAST_GAIN = 1e-7
 """A bound that is no higher above what is found [tangent] is not looked into."""
 
 
+@dataclass(frozen=True, eq=False)
+class FoundHorizon:
+    """What a search has found.
+
+    Attributes
+    ----------
+    tangent, distance_m : (A,) arrays
+        -inf and NaN where nothing is known.
+    void : (A,) bool array
+        A void might hide a higher horizon.
+    known_m : (A,) array
+        Where the data end [m].
+    """
+
+    tangent: np.ndarray
+    distance_m: np.ndarray
+    void: np.ndarray
+    known_m: np.ndarray
+
+
+def nothing_found(rays):
+    """Give the `FoundHorizon` of rays along which there is no terrain."""
+    count = len(rays.azimuth_deg)
+    return FoundHorizon(np.full(count, -np.inf), np.full(count, np.nan), np.zeros(count, bool), rays.reach_m)
+
+
 class Search:
     """Branch and bound over all (ray, interval) pairs."""
 
     def __init__(self, terrain, sight, blocks, summit_m):
         self.terrain, self.sight, self.blocks, self.summit_m = terrain, sight, blocks, summit_m
-        count = len(sight.rays.azimuth_deg)
-        self.tangent, self.distance = np.full(count, -np.inf), np.full(count, np.nan)
+        nothing = nothing_found(sight.rays)
+        self.tangent, self.distance = nothing.tangent, nothing.distance_m
 
     def run(self, cell_m, progress):
-        """Search all rays.
-
-        Returns
-        -------
-        tangent, distance_m : (A,) arrays
-            -inf and NaN where nothing is known.
-        void : (A,) bool array
-        known_m : (A,) array
-            Where the data end [m].
-        """
+        """Search all rays; gives a `FoundHorizon`."""
         near = max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
         near = min(near, len(self.sight.edge_m) - 1)
         bound, likely = self._bounds(near, progress)
@@ -53,7 +71,7 @@ class Search:
         ray, interval = self._alive(bound[:, :near])
         self._refine(ray, interval, bound, subtask(progress, 0.5, 0.6), close, self._close_by(near))
         self._refine(*self._alive(bound), bound, subtask(progress, 0.6, 0.9))
-        return (self.tangent, self.distance, *self._voids(progress))
+        return FoundHorizon(self.tangent, self.distance, *self._voids(progress))
 
     def _alive(self, bound):
         """(ray, interval) pairs that may still hold a horizon, ray by ray."""
@@ -110,7 +128,7 @@ class Search:
         for first in range(0, total, size):
             checkpoint(progress, 0.3 * first / total)
             some = slice(first, first + size)
-            yield some, self.blocks.flat_index(row[some] @ weights, col[some] @ weights)
+            yield some, self.blocks.flat_index_in_place(row[some] @ weights, col[some] @ weights)
 
     def _refine(self, ray, interval, bound, progress, sight=None, highest_around=None):
         """Sample pairs in the order of their rays, raise the running maxima, and strike the pairs off the bounds."""
@@ -120,16 +138,8 @@ class Search:
         ray, interval = ray[alive], interval[alive]
         if len(ray) == 0:
             return
-        tangent, distance, _ = search_intervals(
-            self.terrain,
-            sight or self.sight,
-            ray,
-            interval,
-            self.tangent[ray],
-            self.blocks.block,
-            self._doubtful(ray, interval),
-            progress,
-        )
+        jobs = IntervalJobs(ray, interval, self.tangent[ray], self._doubtful(ray, interval))
+        tangent, distance, _ = search_intervals(self.terrain, sight or self.sight, jobs, self.blocks.block, progress)
         starts = np.flatnonzero(np.diff(ray, prepend=-1))
         highest = np.maximum.reduceat(tangent, starts)
         better = highest > self.tangent[ray[starts]]
@@ -192,16 +202,8 @@ class Search:
             void[rays] = (before & empty).any(axis=1)
             unsure[rays] = before & ~empty & self.blocks.has_void.reshape(-1)[block] & ~void[rays, None]
         ray, interval = np.nonzero(unsure)
-        _, _, meets = search_intervals(
-            self.terrain,
-            self.sight,
-            ray,
-            interval,
-            self.tangent[ray],
-            self.blocks.block,
-            np.ones(len(ray), bool),
-            subtask(progress, 0.9, 1.0),
-        )
+        jobs = IntervalJobs(ray, interval, self.tangent[ray], np.ones(len(ray), bool))
+        _, _, meets = search_intervals(self.terrain, self.sight, jobs, self.blocks.block, subtask(progress, 0.9, 1.0))
         void[ray[meets]] = True
         return void, known_m
 

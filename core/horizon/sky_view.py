@@ -169,7 +169,9 @@ def _horizon(cells, ground, margin, azimuth, frame, options):
 
 
 def _shifted(cells, shape, row_px, col_px):
-    """Bilinear elevations of a grid of `shape` whose first place is (row, column): all have the same weights."""
+    """Bilinear elevations of a grid of `shape` whose first place is (row, column): all have the same weights,
+    so that whole slices are added, where `bilinear` would look up each place.
+    """
     total = None
     for row, row_weight in _weights(row_px):
         for col, col_weight in _weights(col_px):

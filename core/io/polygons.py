@@ -10,10 +10,9 @@ import numpy as np
 from osgeo import gdal, ogr, osr
 
 from ..base.terrain import Window
+from ..base.viewed import VISIBLE
 from .crs import local_plane, spatial_reference
 from .gdal_quiet import quiet_gdal, small_cache
-
-VISIBLE = 1
 
 STRIP_CELLS = 8_000_000
 

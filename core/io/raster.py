@@ -11,7 +11,7 @@ from ..base.angles import wrap_180
 from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
 from ..base.messages import Message
-from ..base.terrain import Window
+from ..base.terrain import Terrain, Window
 from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
 from .georeference import crs_of, geotransform_of
@@ -83,8 +83,8 @@ def _dem(path, dataset, band, crs):
     return dem
 
 
-class Dem:
-    """An elevation model in a file; satisfies `core.base.terrain.Terrain`.
+class Dem(Terrain):
+    """An elevation model in a file.
 
     Attributes
     ----------
@@ -123,7 +123,7 @@ class Dem:
         return out
 
     def read_into(self, window, out):
-        """Read a window into a (rows, cols) float32 array, which need not be contiguous: memory in use is cheaper."""
+        """See `Terrain.read_into`."""
         if window.clipped(self.shape) != window:
             raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
         strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)

@@ -8,40 +8,56 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from osgeo import gdal
 
 from ..base.terrain import Window
+from ..base.viewed import UNKNOWN, ArraySink
 from .gdal_quiet import open_quietly, quiet_gdal
-from .write_raster import new_raster
+from .write_raster import RasterLayout, new_raster
 
 VERSION = 1
 """Raised when the engine's results change, so that older files are computed anew."""
 
-UNKNOWN = 255
 STRIP_ROWS = 1024
 KEY = "SKYLINE_VIEWSHED_FINGERPRINT"
 
 
 @dataclass(frozen=True, eq=False)
-class StoredViewshed:
-    """What a file holds: window of the DEM, and values as in `core.viewshed.viewshed.Viewshed`."""
+class LayerStack:
+    """Bands of a file and what comes into them.
 
-    window: Window
-    values: np.ndarray
+    Attributes
+    ----------
+    bands : dict
+        Name of each band and its unit.
+    strips : iterable of (Window, list of (rows, cols) float32 arrays)
+        In the order of the bands; NaN becomes nodata.
+    """
 
-    @property
-    def visible(self):
-        """(rows, cols) bool: cells that are certainly seen."""
-        return self.values == 1
+    bands: dict
+    strips: Iterable
 
 
 def fingerprint(dem, observer, sector, options, *others):
-    """Digest of all that a viewshed depends on: the DEM's file and band, observer, sector, options, engine, others.
+    """Digest all that a viewshed depends on.
 
-    A changed DEM is noticed by its size and time of change, as by `make`.
+    Parameters
+    ----------
+    dem : Dem
+        Its file and band count; a changed DEM is noticed by its size and time of change, as by `make`.
+    observer : Observer
+    sector : Sector
+    options : ViewshedOptions
+    others
+        Whatever else the result depends on.
+
+    Returns
+    -------
+    str
     """
     facts = [VERSION, *_file_facts(dem), dem.shape, dem.geotransform, dem.crs_wkt, observer, options]
     facts += [type(sector).__name__, *(_plain(value) for value in vars(sector).values()), *others]
@@ -64,31 +80,43 @@ def _plain(value):
 def write_viewshed(path, viewshed, dem, mark, metadata=None):
     """Write a viewshed with its fingerprint, whole or not at all.
 
+    Parameters
+    ----------
+    path : str
+    viewshed : Viewshed
+    dem : Dem
+    mark : str
+        Of `fingerprint`.
+    metadata : dict or None
+        Further names and texts for the file's header.
+
     Raises
     ------
     OutputError
     """
     facts = {**(metadata or {}), KEY: mark}
-    with new_raster(path, dem, viewshed.window, dtype="uint8", nodata=UNKNOWN, metadata=facts) as file:
+    layout = RasterLayout("uint8", nodata=UNKNOWN, metadata=facts)
+    with new_raster(path, dem, viewshed.window, layout) as file:
         for row in range(0, viewshed.window.rows, STRIP_ROWS):
             file.write(viewshed.values[row : row + STRIP_ROWS, :], row)
 
 
-class _WholeArray:
-    """Holds what is read, as `core.viewshed.viewshed.ArraySink` does."""
+def read_viewshed(path, dem, mark, sink=ArraySink):
+    """Read a stored viewshed.
 
-    def __init__(self, window):
-        self.window, self.values = window, np.empty((window.rows, window.cols), np.uint8)
+    Parameters
+    ----------
+    path : str
+    dem : Dem
+    mark : str
+        Of `fingerprint`.
+    sink : callable
+        Makes from the window the `Sink` that takes the values.
 
-    def add(self, window, values):
-        row = window.row - self.window.row
-        self.values[row : row + window.rows] = values
-
-
-def read_viewshed(path, dem, mark, hold=_WholeArray):
-    """Give the stored viewshed if the file is there, whole and of this fingerprint; else None.
-
-    `hold` makes from the window what takes the strips, as the sinks of `core.viewshed.viewshed` do.
+    Returns
+    -------
+    (Window, values) or None
+        Values of the sink, as in `Viewshed`; None unless the file is there, whole and of this fingerprint.
     """
     if not os.path.exists(path):
         return None
@@ -101,7 +129,7 @@ def read_viewshed(path, dem, mark, hold=_WholeArray):
     window = Window(round((y0 - top) / height), round((x0 - left) / width), dataset.RasterYSize, dataset.RasterXSize)
     if band.DataType != gdal.GDT_Byte or window.clipped(dem.shape) != window:
         return None
-    held = hold(window)
+    held = sink(window)
     with quiet_gdal():
         try:
             for row in range(0, window.rows, STRIP_ROWS):
@@ -112,10 +140,10 @@ def read_viewshed(path, dem, mark, hold=_WholeArray):
                 held.add(Window(window.row + row, window.col, rows, window.cols), values)
         except RuntimeError:
             return None
-    return StoredViewshed(window, held.values)
+    return window, held.values
 
 
-def write_layers(path, dem, window, bands, strips, mark, metadata=None):
+def write_layers(path, dem, window, layers, mark, metadata=None):
     """Write float layers of a photograph with their fingerprint, whole or not at all.
 
     Parameters
@@ -123,10 +151,7 @@ def write_layers(path, dem, window, bands, strips, mark, metadata=None):
     path : str
     dem : Dem
     window : Window
-    bands : dict
-        Name of each band and its unit.
-    strips : iterable of (Window, list of (rows, cols) float32 arrays)
-        NaN becomes nodata.
+    layers : LayerStack
     mark : str
         Of `fingerprint`.
     metadata : dict or None
@@ -135,10 +160,12 @@ def write_layers(path, dem, window, bands, strips, mark, metadata=None):
     ------
     OutputError
     """
-    texts = {"descriptions": list(bands), "units": list(bands.values())}
-    facts = {**(metadata or {}), KEY: mark}
-    with new_raster(path, dem, window, bands=len(bands), nodata=np.nan, metadata=facts, **texts) as file:
-        for strip, values in strips:
+    bands, facts = layers.bands, {**(metadata or {}), KEY: mark}
+    layout = RasterLayout(
+        bands=len(bands), nodata=np.nan, descriptions=tuple(bands), units=tuple(bands.values()), metadata=facts
+    )
+    with new_raster(path, dem, window, layout) as file:
+        for strip, values in layers.strips:
             for number, band in enumerate(values, start=1):
                 file.write(band, strip.row - window.row, strip.col - window.col, number)
 
@@ -149,32 +176,3 @@ def stored_facts(path, mark):
     if dataset is None or dataset.GetMetadataItem(KEY) != mark:
         return None
     return dict(dataset.GetMetadata())
-
-
-def viewshed_once(path, dem, mark, compute, metadata=None, hold=_WholeArray):
-    """Take a finished result from its file, or compute and store it.
-
-    Parameters
-    ----------
-    path : str
-    dem : Dem
-    mark : str
-        Of `fingerprint`.
-    compute : callable
-        Without arguments -> Viewshed.
-    metadata : dict or None
-    hold : callable
-        See `read_viewshed`.
-
-    Returns
-    -------
-    result : StoredViewshed or Viewshed
-    repeated : bool
-        False where the file was there already.
-    """
-    stored = read_viewshed(path, dem, mark, hold)
-    if stored is not None:
-        return stored, False
-    result = compute()
-    write_viewshed(path, result, dem, mark, metadata)
-    return result, True

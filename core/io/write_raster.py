@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+from collections.abc import Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 from osgeo import gdal
@@ -27,29 +29,12 @@ BLOCK_PX = 256
 SYSTEM_CAUSES = tuple(map(os.strerror, (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EIO)))
 
 
-@contextmanager
-def new_raster(
-    path,
-    grid,
-    window=None,
-    *,
-    dtype="float32",
-    bands=1,
-    nodata=None,
-    descriptions=(),
-    units=(),
-    metadata=None,
-    alpha=False,
-):
-    """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
+@dataclass(frozen=True)
+class RasterLayout:
+    """What a file holds beside its cells.
 
-    Parameters
+    Attributes
     ----------
-    path : str
-    grid : object
-        With `shape`, `crs_wkt` and `geotransform`: a `Dem`.
-    window : Window or None
-        Part of the grid that the file covers; None for all of it.
     dtype : str
         'uint8', 'int16', 'uint16', 'int32' or 'float32'.
     bands : int
@@ -60,6 +45,29 @@ def new_raster(
         Names and texts for the file's header.
     alpha : bool
         The four bands are red, green, blue and opacity.
+    """
+
+    dtype: str = "float32"
+    bands: int = 1
+    nodata: float | None = None
+    descriptions: Sequence[str] = ()
+    units: Sequence[str] = ()
+    metadata: dict | None = None
+    alpha: bool = False
+
+
+@contextmanager
+def new_raster(path, grid, window=None, layout=RasterLayout()):  # noqa: B008 - frozen
+    """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
+
+    Parameters
+    ----------
+    path : str
+    grid : object
+        With `shape`, `crs_wkt` and `geotransform`: a `Dem`.
+    window : Window or None
+        Part of the grid that the file covers; None for all of it.
+    layout : RasterLayout
 
     Yields
     ------
@@ -77,8 +85,8 @@ def new_raster(
         with quiet_gdal() as messages, small_cache():
             file = None
             try:
-                file = RasterFile(path, _create(part, window, dtype, bands, alpha), messages)
-                file._describe(grid, window, nodata, (descriptions, units), metadata or {})
+                file = RasterFile(path, _create(part, window, layout), messages)
+                file._describe(grid, window, layout)
                 yield file
                 file._close()
             finally:
@@ -93,7 +101,8 @@ def new_raster(
                 os.remove(leftover)
 
 
-def _create(part, window, dtype, bands, alpha=False):
+def _create(part, window, layout):
+    dtype, alpha = layout.dtype, layout.alpha
     options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
     if dtype == "uint8" and not alpha:
         # Masks come in long runs, which every reader of TIFF knows how to unroll: a fortieth of the plain file, in a
@@ -103,7 +112,9 @@ def _create(part, window, dtype, bands, alpha=False):
         options += ["COMPRESS=DEFLATE", f"PREDICTOR={3 if dtype == 'float32' else 2}"]
     # Pictures hardly shrink any further at higher levels, and take three times as long.
     options += ["PHOTOMETRIC=RGB", "ALPHA=YES", "ZLEVEL=1"] if alpha else []
-    dataset = gdal.GetDriverByName("GTiff").Create(part, window.cols, window.rows, bands, GDAL_TYPES[dtype], options)
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        part, window.cols, window.rows, layout.bands, GDAL_TYPES[dtype], options
+    )
     if dataset is None:
         raise OSError(Message("cannot be created"))
     return dataset
@@ -138,17 +149,17 @@ class RasterFile:
             if target.WriteArray(strip, col, row + start) != gdal.CE_None:
                 raise OSError(Message("the disk may be full"))
 
-    def _describe(self, grid, window, nodata, texts, metadata):
+    def _describe(self, grid, window, layout):
         x0, dx, _, y0, _, dy = grid.geotransform
         self._dataset.SetGeoTransform((x0 + window.col * dx, dx, 0.0, y0 + window.row * dy, 0.0, dy))
         self._dataset.SetSpatialRef(spatial_reference(grid.crs_wkt))
-        if metadata:
-            self._dataset.SetMetadata({str(key): str(value) for key, value in metadata.items()})
+        if layout.metadata:
+            self._dataset.SetMetadata({str(key): str(value) for key, value in layout.metadata.items()})
         for number in range(1, self._dataset.RasterCount + 1):
             band = self._dataset.GetRasterBand(number)
-            if nodata is not None:
-                band.SetNoDataValue(float(nodata))
-            for tell, values in zip((band.SetDescription, band.SetUnitType), texts):
+            if layout.nodata is not None:
+                band.SetNoDataValue(float(layout.nodata))
+            for tell, values in ((band.SetDescription, layout.descriptions), (band.SetUnitType, layout.units)):
                 if number <= len(values):
                     tell(values[number - 1])
 
@@ -159,7 +170,7 @@ class RasterFile:
             raise OSError("it was not written completely")
 
 
-def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(), metadata=None):
+def write_raster(path, values, grid, window=None, layout=RasterLayout()):  # noqa: B008 - frozen
     """Write a whole array as a tiled, compressed GeoTIFF on a DEM's grid.
 
     Parameters
@@ -167,8 +178,10 @@ def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(
     path : str
     values : (R, C) or (B, R, C) array
         bool, uint8, int16, uint16, int32 or float32; bool becomes uint8, float64 becomes float32.
-    grid, window, nodata, descriptions, metadata
+    grid, window
         See `new_raster`; the array has the window's size.
+    layout : RasterLayout
+        Its `dtype` and `bands` are taken from the array instead.
 
     Raises
     ------
@@ -180,7 +193,6 @@ def write_raster(path, values, grid, window=None, *, nodata=None, descriptions=(
     expected = grid.shape if window is None else (window.rows, window.cols)
     if bands.shape[1:] != tuple(expected) or values.dtype.name not in GDAL_TYPES:
         raise ValueError(f"{values.shape} {values.dtype} does not suit a window of {expected} cells")
-    options = {"nodata": nodata, "descriptions": descriptions, "metadata": metadata}
-    with new_raster(path, grid, window, dtype=values.dtype.name, bands=len(bands), **options) as file:
+    with new_raster(path, grid, window, replace(layout, dtype=values.dtype.name, bands=len(bands))) as file:
         for number, band in enumerate(bands, start=1):
             file.write(band, band=number)

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..base.surface import local_places, normal_of, patch_around, sampling_distance_m
 from ..base.terrain import Window
+from ..base.viewed import VISIBLE
 
 BLOCK_ROWS = 256
 SEARCH_NODES = 20_000
@@ -48,11 +49,25 @@ class Coverage:
         self.count = np.zeros(shape, np.uint16)
         self.best_gsd_m = np.full(shape, np.nan, np.float32)
 
-    def add(self, name, terrain, view, seen, seen_window):
-        """Add a photograph: `seen` is its viewshed as a bool array over `seen_window`; gives its cells in the area."""
-        here, there = _overlap(self.window, seen_window)
+    def add(self, name, terrain, view, seen):
+        """Add a photograph.
+
+        Parameters
+        ----------
+        name : str
+        terrain : Terrain
+        view : View
+        seen : Viewshed
+            Of the photograph.
+
+        Returns
+        -------
+        int
+            Cells of the area that it sees.
+        """
+        here, there = _overlap(self.window, seen.window)
         part = np.zeros(self.count.shape, bool)
-        part[here] = seen[there]
+        part[here] = seen.values[there] == VISIBLE
         part &= self.area
         self.count += part
         for top in range(0, self.window.rows, BLOCK_ROWS):

@@ -86,7 +86,7 @@ class Mosaic:
         return rgba, gsd
 
 
-def drape_photo(mosaic, terrain, view, picture, seen, seen_window, progress=SILENT):
+def drape_photo(mosaic, terrain, view, picture, seen, progress=SILENT):
     """Add one photograph to a mosaic.
 
     Parameters
@@ -97,10 +97,8 @@ def drape_photo(mosaic, terrain, view, picture, seen, seen_window, progress=SILE
     view : View
         Its camera is that of the full picture; `picture` may be a reduced copy.
     picture : PicturePyramid
-    seen : (R, C) bool array
-        Cells that the photograph sees, from the viewshed.
-    seen_window : Window
-        Cells of the DEM that `seen` covers.
+    seen : Viewshed
+        Of the photograph.
     progress : Progress
 
     Returns
@@ -108,13 +106,14 @@ def drape_photo(mosaic, terrain, view, picture, seen, seen_window, progress=SILE
     int
         Cells of the mosaic that got colour from this photograph.
     """
-    keys = _tiles_touched(mosaic, seen, seen_window)
+    visible = seen.visible
+    keys = _tiles_touched(mosaic, visible, seen.window)
     coloured = 0
     for count, key in enumerate(keys):
         checkpoint(progress, count / len(keys))
-        row, col = _seen_cells(mosaic, key, seen, seen_window)
-        if row.size:
-            coloured += _drape_tile(mosaic, key, terrain, view, picture, row, col)
+        cells = _seen_cells(mosaic, key, visible, seen.window)
+        if cells[0].size:
+            coloured += _drape_tile(mosaic, key, terrain, view, picture, cells)
     return coloured
 
 
@@ -154,7 +153,8 @@ def _seen_cells(mosaic, key, seen, window):
     return row[inside], col[inside]
 
 
-def _drape_tile(mosaic, key, terrain, view, picture, row, col):
+def _drape_tile(mosaic, key, terrain, view, picture, cells):
+    row, col = cells
     dem_row = (row + 0.5) / mosaic.refine - 0.5 + mosaic.window.row
     dem_col = (col + 0.5) / mosaic.refine - 0.5 + mosaic.window.col
     z, r, c = patch_around(terrain, dem_row, dem_col)
@@ -172,7 +172,8 @@ def _drape_tile(mosaic, key, terrain, view, picture, row, col):
     scale = picture.size_px[0] / view.camera.width_px
     footprint = (cell_m * scale) / np.sqrt(across * along)
     colour = picture.sample((x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5, footprint)
-    _blend(mosaic.tile(key), row % TILE_CELLS, col % TILE_CELLS, colour, across, along, _fade(view.camera, x, y))
+    at = row % TILE_CELLS * TILE_CELLS + col % TILE_CELLS
+    _blend(mosaic.tile(key), at, colour, (across, along), _fade(view.camera, x, y))
     return int(use.size)
 
 
@@ -182,8 +183,9 @@ def _fade(camera, x_px, y_px):
     return np.clip((edge + 1) / (FADE_SHARE * camera.width_px), 0.01, 1.0)
 
 
-def _blend(tile, row, col, colour, across, along, fade):
-    at = row * TILE_CELLS + col
+def _blend(tile, at, colour, gsd_m, fade):
+    """Lay colours over cells of a tile, given by their places in the flattened tile."""
+    across, along = gsd_m
     rgba, gsd, weights = tile.rgba.reshape(-1, 4), tile.gsd_m.reshape(2, -1), tile.weight.reshape(-1)
     weight = (fade / across**NEARNESS_POWER).astype(np.float32)
     before = weights[at]
@@ -258,6 +260,7 @@ def build_picture_pyramid(pixels, smallest_px=16):
 
 
 def _bilinear_colour(picture, x, y):
+    """Interpolate colours in single precision, three at a time: several times faster than `bilinear`, and no voids."""
     height, width = picture.shape[:2]
     x, y = np.clip(x, 0, width - 1), np.clip(y, 0, height - 1)
     left, top = np.minimum(x.astype(np.intp), width - 2), np.minimum(y.astype(np.intp), height - 2)

@@ -12,7 +12,7 @@ GROUND, SKY, VOID, BEYOND = 1, 0, 2, 3
 
 
 @dataclass(eq=False)
-class Rays:
+class MarchingRays:
     """Parabolas over the map, and how far each has come; one row per ray.
 
     Attributes
@@ -43,7 +43,7 @@ class Rays:
     def take(self, index):
         """Give some of the rays, as copies."""
         values = {name: getattr(self, name)[index] for name in self._arrays()}
-        return Rays(bend_per_m=self.bend_per_m, **values)
+        return MarchingRays(bend_per_m=self.bend_per_m, **values)
 
     @staticmethod
     def _arrays():
@@ -62,6 +62,19 @@ class Rays:
         return self.east_m + distance_m * self.sin_azimuth, self.north_m + distance_m * self.cos_azimuth
 
 
+@dataclass(frozen=True, eq=False)
+class _Track:
+    """Where rays are in a window [pixels], and how that changes along them [pixels per metre]: (N,) arrays."""
+
+    row: np.ndarray
+    col: np.ndarray
+    per_m_row: np.ndarray
+    per_m_col: np.ndarray
+
+    def take(self, index):
+        return _Track(self.row[index], self.col[index], self.per_m_row[index], self.per_m_col[index])
+
+
 def march(pyramid, window, frame, rays, above, stop_m):
     """Move rays (in place) until they meet ground or a void, leave the window, or reach `stop_m`.
 
@@ -71,7 +84,7 @@ def march(pyramid, window, frame, rays, above, stop_m):
     window : Window
         Of the raster, where the pyramid lies.
     frame : LocalFrame
-    rays : Rays
+    rays : MarchingRays
     above : (N,) bool array
         Rays known to have been above the surface; changed in place.
     stop_m : (N,) array
@@ -91,29 +104,23 @@ def march(pyramid, window, frame, rays, above, stop_m):
     nudge_m = 1e-3 * frame.cell_m
     while active.size:
         now = rays.take(active)
-        row, col, per_m_row, per_m_col = _track(frame, window, now)
+        track = _track(frame, window, now)
+        row, col = track.row, track.col
         inside = (row >= 0) & (col >= 0) & (row < window.rows - 1) & (col < window.cols - 1)
         lev = level[active]
-        exit_m = now.distance_m + nudge_m + np.minimum(_to_edge(row, per_m_row, lev), _to_edge(col, per_m_col, lev))
+        exit_m = (
+            now.distance_m
+            + nudge_m
+            + np.minimum(_to_edge(row, track.per_m_row, lev), _to_edge(col, track.per_m_col, lev))
+        )
         exit_m = np.minimum(exit_m, stop_m[active])
         bound = _bound_at(pyramid, row, col, lev, inside)
         free = inside & (now.lowest(now.distance_m, exit_m) > bound)
         test = inside & ~free & (lev == 0)
         advance = free | test
         if test.any():
-            _touch(
-                pyramid,
-                rays,
-                active[test],
-                row[test],
-                col[test],
-                per_m_row[test],
-                per_m_col[test],
-                exit_m[test],
-                above,
-                state,
-            )
-        entering = ~inside & _comes_in(row, col, per_m_row, per_m_col, window)
+            _touch(pyramid, rays, active[test], track.take(test), exit_m[test], (above, state))
+        entering = ~inside & _comes_in(track, window)
         left[active[~inside & ~entering]] = True
         above[active[free]] = True
         running = state[active] == SKY
@@ -125,7 +132,7 @@ def march(pyramid, window, frame, rays, above, stop_m):
 
 
 def _track(frame, window, rays):
-    """Window coordinates of rays and their change per metre."""
+    """Give the `_Track` of rays."""
     col, row = frame.to_pixel(*rays.place(rays.distance_m))
     (a, b), (c, d) = frame.jacobian_px_per_m
     if frame.remainder_px is None:
@@ -135,7 +142,7 @@ def _track(frame, window, rays):
         step = frame.cell_m
         ahead_col, ahead_row = frame.to_pixel(*rays.place(rays.distance_m + step))
         per_col, per_row = (ahead_col - col) / step, (ahead_row - row) / step
-    return row - window.row, col - window.col, per_row, per_col
+    return _Track(row - window.row, col - window.col, per_row, per_col)
 
 
 def _to_edge(position, per_m, level):
@@ -156,25 +163,28 @@ def _bound_at(pyramid, row, col, level, inside):
     return bound
 
 
-def _comes_in(row, col, per_m_row, per_m_col, window):
+def _comes_in(track, window):
     """Rays outside the window that are on their way into it."""
-    toward_row = np.where(row < 0, per_m_row > 0, (row < window.rows - 1) | (per_m_row < 0))
-    toward_col = np.where(col < 0, per_m_col > 0, (col < window.cols - 1) | (per_m_col < 0))
+    row, col = track.row, track.col
+    toward_row = np.where(row < 0, track.per_m_row > 0, (row < window.rows - 1) | (track.per_m_row < 0))
+    toward_col = np.where(col < 0, track.per_m_col > 0, (col < window.cols - 1) | (track.per_m_col < 0))
     return toward_row & toward_col
 
 
-def _touch(pyramid, rays, index, row, col, per_m_row, per_m_col, exit_m, above, state):
-    """Look for the first crossing from above within one patch each, and note what is found.
+def _touch(pyramid, rays, index, track, exit_m, marks):
+    """Look for the first crossing from above within one patch each, and note in `marks` (above, state) what is found.
 
     Along a straight track the bilinear surface is a quadratic in distance, and so is the parabola: three samples
     give their difference exactly.
     """
+    above, state = marks
+    row, col, per_m_row, per_m_col = track.row, track.col, track.per_m_row, track.per_m_col
     now = rays.take(index)
     r, c = row.astype(np.intp), col.astype(np.intp)
     z00, z01, z10, z11 = pyramid.corners(r, c)
     start, span = now.distance_m, exit_m - now.distance_m
     gap = []
-    for t in (0.0, 0.5, 1.0):
+    for t in (0.0, 0.5, 1.0):  # by hand: the corners serve for all three, and `bilinear` would fetch them anew
         fr, fc = row - r + t * span * per_m_row, col - c + t * span * per_m_col
         surface = z00 * (1 - fr) * (1 - fc) + z01 * (1 - fr) * fc + z10 * fr * (1 - fc) + z11 * fr * fc
         gap.append(surface - now.height(start + t * span))

@@ -22,7 +22,7 @@ from ..base.camera import Pose, unproject
 from ..base.progress import SILENT, subtask
 from ..base.surface import incidence_deg, normal_at
 from ..base.uncertainty import pose_draws
-from .sightline import GROUND, GroundHits, SightOptions, cast_rays
+from .sightline import GROUND, GroundHits, SightLines, SightOptions, cast_rays
 
 OTHER_SURFACE = 0.1
 """Neighbouring draws farther apart than this share of their distance may lie on two surfaces."""
@@ -106,7 +106,7 @@ def place_pixels(terrain, view, x_px, y_px, options=None, progress=SILENT):
     options = _with_refraction(options, view)
     x_px, y_px = np.asarray(x_px, float), np.asarray(y_px, float)
     azimuth, elevation = view.ray_of(x_px, y_px)
-    hits = cast_rays(terrain, view.frame, view.eye_elevation_m, azimuth, elevation, options, progress)
+    hits = cast_rays(terrain, view.frame, SightLines(view.eye_elevation_m, azimuth, elevation), options, progress)
     normal = normal_at(terrain, view.frame, hits.east_m, hits.north_m)
     slant = hits.distance_m / np.cos(np.radians(elevation))
     per_pixel = slant * _radians_per_pixel(view, x_px, y_px)
@@ -125,56 +125,71 @@ def _radians_per_pixel(view, x_px, y_px):
     return 2 * np.arcsin(np.sqrt(half))
 
 
-def ground_ellipses(terrain, view, placed, uncertainty, coverage=0.9, options=None, pairs=24, progress=SILENT):
+@dataclass(frozen=True)
+class EllipseOptions:
+    """How the errors of pixels' places are found.
+
+    Attributes
+    ----------
+    coverage : float
+        Probability that the ellipse is to hold.
+    pairs : int
+        Half the number of draws per pixel.
+    """
+
+    coverage: float = 0.9
+    pairs: int = 24
+
+    def __post_init__(self):
+        if not 0 < self.coverage < 1:
+            raise ValueError(f"coverage must lie between 0 and 1, not {self.coverage}")
+
+
+def ground_ellipses(terrain, view, placed, ellipse=EllipseOptions(), options=None, progress=SILENT):  # noqa: B008
     """Carry the uncertainty of pose, position and DEM to the places of pixels.
 
     Parameters
     ----------
     terrain : Terrain
     view : View
+        Of a photograph with its uncertainty.
     placed : PlacedPixels
         From `place_pixels` with the same view.
-    uncertainty : PoseUncertainty
-    coverage : float
-        Probability that the ellipse is to hold.
+    ellipse : EllipseOptions
     options : SightOptions or None
-    pairs : int
-        Half the number of draws per pixel.
     progress : Progress
 
     Returns
     -------
     GroundEllipse
     """
-    if not 0 < coverage < 1:
-        raise ValueError(f"coverage must lie between 0 and 1, not {coverage}")
     options = _with_refraction(options, view)
-    draws = pose_draws(uncertainty, pairs)
+    uncertainty, coverage = view.uncertainty, ellipse.coverage
+    draws = pose_draws(uncertainty, ellipse.pairs)
     count = placed.x_px.size
     columns = np.full((7, count), np.nan)
     ground = np.flatnonzero(placed.hits.state.ravel() == GROUND)
     for start in range(0, ground.size, PIXELS_AT_ONCE):
         part = ground[start : start + PIXELS_AT_ONCE]
         share = subtask(progress, start / ground.size, (start + part.size) / ground.size)
-        cloud = _cloud(terrain, view, placed.x_px.ravel()[part], placed.y_px.ravel()[part], draws, options, share)
+        pixels = placed.x_px.ravel()[part], placed.y_px.ravel()[part]
+        cloud = _cloud(terrain, view, pixels, draws, options, share)
         nominal = [column.ravel()[part] for column in (placed.hits.east_m, placed.hits.north_m)]
         distance = placed.hits.distance_m.ravel()[part]
         columns[:, part] = _summarise(cloud, nominal, distance, uncertainty.dem_m, coverage)
     return GroundEllipse(coverage, *columns.reshape((7,) + placed.x_px.shape))
 
 
-def _cloud(terrain, view, x_px, y_px, draws, options, progress):
-    """End points (D, N) of the drawn rays."""
-    rays = np.empty((2, len(draws), x_px.size))
+def _cloud(terrain, view, pixels, draws, options, progress):
+    """End points (D, N) of the drawn rays through pixels (x, y)."""
+    rays = np.empty((2, len(draws), pixels[0].size))
     for k, (heading, pitch, roll, log_focal, *_) in enumerate(draws):
         pose = Pose(view.pose.heading_deg + heading, view.pose.pitch_deg + pitch, view.pose.roll_deg + roll)
         camera = replace(view.camera, focal_px=view.camera.focal_px * float(np.exp(log_focal)))
-        rays[:, k] = unproject(camera, pose, x_px, y_px)
+        rays[:, k] = unproject(camera, pose, *pixels)
     east, north, height = (draws[:, k, None] for k in (4, 5, 6))
-    return cast_rays(
-        terrain, view.frame, view.eye_elevation_m + height, rays[0], rays[1], options, progress,
-        east_m=east, north_m=north,
-    )  # fmt: skip
+    lines = SightLines(view.eye_elevation_m + height, rays[0], rays[1], east, north)
+    return cast_rays(terrain, view.frame, lines, options, progress)
 
 
 def _summarise(cloud, nominal, distance_m, dem_m, coverage):

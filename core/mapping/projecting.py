@@ -6,19 +6,57 @@ pixel or two and cut where their state changes; areas are asked in a net of samp
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from typing import Any
 
 import numpy as np
 
 from ..base.angles import in_wedge
 from ..base.progress import SILENT
 from ..base.surface import elevation_at
-from .sightline import GROUND, VOID, SightOptions, cast_rays
+from .sightline import GROUND, VOID, SightLines, SightOptions, cast_rays
 
-VISIBLE, HIDDEN, OUTSIDE, UNKNOWN = 1, 0, 2, 3
-"""Of a place: seen; behind terrain; not on the picture or too far; no elevation there, or a hole in the DEM before."""
 
-STATE_NAMES = {VISIBLE: "visible", HIDDEN: "hidden", OUTSIDE: "outside", UNKNOWN: "unknown"}
+class PlaceState(IntEnum):
+    """What a photograph tells of a place.
+
+    `HIDDEN`: behind terrain. `OUTSIDE`: not on the picture, or too far. `UNKNOWN`: no elevation there, or a hole in
+    the DEM before it.
+    """
+
+    HIDDEN = 0
+    VISIBLE = 1
+    OUTSIDE = 2
+    UNKNOWN = 3
+
+
+STATE_NAMES = {state: state.name.lower() for state in PlaceState}
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """Places to look for in a picture.
+
+    Attributes
+    ----------
+    east_m, north_m : (N,) arrays
+        Local metres around the eye [m].
+    elevation_m : (N,) array or None
+        Absolute; NaN or None means on the surface [m]. A place given below the surface is raised to it for the
+        question of sight, so that a summit whose published height exceeds or misses a coarse DEM stays honest.
+    height_above_m : float or (N,) array
+        Added to it: the height of a tower or tree [m].
+    own_ground_m : float or None
+        Ground this near before a place is its own and does not hide it [m]; None means one cell. A summit wants
+        more: the edge of its top is still the summit.
+    """
+
+    east_m: Any
+    north_m: Any
+    elevation_m: Any = None
+    height_above_m: Any = 0.0
+    own_ground_m: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +66,7 @@ class ProjectedPlaces:
     Attributes
     ----------
     state : (N,) uint8 array
-        `VISIBLE`, `HIDDEN`, `OUTSIDE` or `UNKNOWN`.
+        Of `PlaceState`.
     x_px, y_px : (N,) arrays
         Pixels of the full upright picture; given for hidden places and those off the picture too, NaN behind the
         camera.
@@ -51,7 +89,7 @@ class ProjectedPlaces:
     @property
     def visible(self):
         """(N,) bool."""
-        return self.state == VISIBLE
+        return self.state == PlaceState.VISIBLE
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +98,7 @@ class ProjectedRun:
 
     Attributes
     ----------
-    state : int
+    state : PlaceState
     x_px, y_px : (N,) arrays
         Pixels along it.
     share : tuple of two floats
@@ -76,29 +114,17 @@ class ProjectedRun:
     distance_m: np.ndarray
 
 
-def project_places(
-    terrain, view, east_m, north_m, elevation_m=None, *, height_above_m=0.0, options=None, all_round=False,
-    own_ground_m=None, progress=SILENT,
-):  # fmt: skip
+def project_places(terrain, view, places, options=None, all_round=False, progress=SILENT):
     """Project places into the picture.
 
     Parameters
     ----------
     terrain : Terrain
     view : View
-    east_m, north_m : (N,) arrays
-        Local metres around the eye [m].
-    elevation_m : (N,) array or None
-        Absolute; NaN or None means on the surface [m]. A place given below the surface is raised to it for the
-        question of sight, so that a summit whose published height exceeds or misses a coarse DEM stays honest.
-    height_above_m : float or (N,) array
-        Added to it: the height of a tower or tree [m].
+    places : Places
     options : SightOptions or None
     all_round : bool
         Ignore the picture's frame: nothing is `OUTSIDE` for its direction.
-    own_ground_m : float or None
-        Ground this near before a place is its own and does not hide it [m]; None means one cell. A summit wants
-        more: the edge of its top is still the summit.
     progress : Progress
 
     Returns
@@ -106,29 +132,34 @@ def project_places(
     ProjectedPlaces
     """
     options = options or SightOptions(refraction_coefficient=view.refraction_coefficient)
-    east_m, north_m = np.broadcast_arrays(np.asarray(east_m, float), np.asarray(north_m, float))
+    east_m, north_m = np.broadcast_arrays(np.asarray(places.east_m, float), np.asarray(places.north_m, float))
     surface = elevation_at(terrain, view.frame, east_m, north_m)
-    given = surface if elevation_m is None else np.where(np.isfinite(elevation_m), elevation_m, surface)
-    shown = given + height_above_m
+    given = surface
+    if places.elevation_m is not None:
+        given = np.where(np.isfinite(places.elevation_m), places.elevation_m, surface)
+    shown = given + places.height_above_m
     azimuth, elevation, distance = view.direction_of(east_m, north_m, shown)
     x, y = view.pixel_of(east_m, north_m, shown)
-    state = np.full(east_m.shape, OUTSIDE, np.uint8)
+    state = np.full(east_m.shape, PlaceState.OUTSIDE, np.uint8)
     near_enough = (distance >= options.min_distance_m) & (distance <= options.max_distance_m)
     asked = near_enough & (np.full(east_m.shape, True) if all_round else view.frames(x, y))
     ahead = in_wedge(azimuth, *view.wedge_deg) | all_round
-    state[near_enough & ahead & ~np.isfinite(shown)] = UNKNOWN
+    state[near_enough & ahead & ~np.isfinite(shown)] = PlaceState.UNKNOWN
     asked &= np.isfinite(shown)
-    top = np.fmax(given, surface) + height_above_m
-    state[asked] = _sight(terrain, view, east_m[asked], north_m[asked], top[asked], options, own_ground_m, progress)
+    top = np.fmax(given, surface) + places.height_above_m
+    tops = Places(east_m[asked], north_m[asked], top[asked], own_ground_m=places.own_ground_m)
+    state[asked] = _states(terrain, view, tops, options, progress)
     return ProjectedPlaces(state, x, y, azimuth, elevation, distance, shown)
 
 
-def _sight(terrain, view, east_m, north_m, top_m, options, own_ground_m, progress):
+def _states(terrain, view, tops, options, progress):
     """State of places known to be on the picture."""
-    azimuth, elevation, distance = view.direction_of(east_m, north_m, top_m)
-    end = distance - (view.frame.cell_m if own_ground_m is None else own_ground_m)
-    hits = cast_rays(terrain, view.frame, view.eye_elevation_m, azimuth, elevation, options, progress, end_m=end)
-    return np.select([hits.state == GROUND, hits.state == VOID], [HIDDEN, UNKNOWN], VISIBLE)
+    azimuth, elevation, distance = view.direction_of(tops.east_m, tops.north_m, tops.elevation_m)
+    end = distance - (view.frame.cell_m if tops.own_ground_m is None else tops.own_ground_m)
+    lines = SightLines(view.eye_elevation_m, azimuth, elevation, end_m=end)
+    state = cast_rays(terrain, view.frame, lines, options, progress).state
+    hidden = [state == GROUND, state == VOID]
+    return np.select(hidden, [int(PlaceState.HIDDEN), int(PlaceState.UNKNOWN)], int(PlaceState.VISIBLE))
 
 
 def densify(east_m, north_m, view, step_px=2.0, elevation_m=None, longest=20_000):
@@ -176,18 +207,28 @@ def _nearest_m(east_m, north_m):
     return np.hypot(east_m[:-1] + t * de, north_m[:-1] + t * dn)
 
 
-def project_line(terrain, view, east_m, north_m, elevation_m=None, step_px=2.0, options=None, progress=SILENT):
+def project_line(terrain, view, line, step_px=2.0, options=None, progress=SILENT):
     """Project a line and cut it where its state changes.
 
-    Parameters as `project_places` and `densify`; the line follows the surface unless heights are given.
+    Parameters
+    ----------
+    terrain : Terrain
+    view : View
+    line : Places
+        Its vertices; it follows the surface unless elevations are given.
+    step_px : float
+        See `densify` [pixels].
+    options : SightOptions or None
+    progress : Progress
 
     Returns
     -------
     tuple of ProjectedRun
         In the line's order; neighbouring runs share a place, so that no gap shows.
     """
-    east, north, height, share = densify(east_m, north_m, view, step_px, elevation_m)
-    places = project_places(terrain, view, east, north, height, options=options, progress=progress)
+    east, north, height, share = densify(line.east_m, line.north_m, view, step_px, line.elevation_m)
+    places = project_places(terrain, view, replace(line, east_m=east, north_m=north, elevation_m=height), options,
+                            progress=progress)  # fmt: skip
     return _runs(places, share)
 
 
@@ -198,7 +239,7 @@ def _runs(places, share):
         part = slice(start, min(stop + 1, places.state.size))
         runs.append(
             ProjectedRun(
-                int(places.state[start]),
+                PlaceState(int(places.state[start])),
                 places.x_px[part],
                 places.y_px[part],
                 (float(share[start]), float(share[part][-1])),

@@ -13,7 +13,7 @@ import numpy as np
 from ..base.camera import to_camera_axes
 from ..base.progress import SILENT
 from ..base.surface import incidence_deg, normal_at
-from .projecting import project_places
+from .projecting import Places, ProjectedPlaces, project_places
 
 
 @dataclass(frozen=True)
@@ -80,26 +80,37 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
     owner = np.repeat(np.arange(len(places)), sizes)
     east = np.concatenate([np.ravel(np.asarray(e, float)) for e, _ in places])
     north = np.concatenate([np.ravel(np.asarray(n, float)) for _, n in places])
-    shown = project_places(
-        terrain, view, east, north, height_above_m=height_above_m, options=options, progress=progress
-    )
+    wanted = Places(east, north, height_above_m=height_above_m)
+    shown = project_places(terrain, view, wanted, options, progress=progress)
     framed = view.frames(shown.x_px, shown.y_px)
     seen = np.flatnonzero(shown.visible)
     incidence = np.full(east.size, np.nan)
     normal = normal_at(terrain, view.frame, east[seen], north[seen])
     incidence[seen] = incidence_deg(normal, shown.azimuth_deg[seen], shown.elevation_deg[seen])
     _, _, depth = to_camera_axes(view.pose, east, north, view.rise_of(east, north, shown.elevation_m))
-    found = []
-    for place in np.unique(owner[seen]):
-        mine = owner == place
-        found.append(_sighting(view, place, shown, framed[mine].mean(), mine & shown.visible, mine, depth, incidence))
+    samples = _Samples(shown, framed, depth, incidence)
+    found = [_sighting(view, place, owner == place, samples) for place in np.unique(owner[seen])]
     return tuple(sorted(found, key=lambda sighting: (-sighting.quality, sighting.place)))
 
 
-def _sighting(view, place, shown, framed_share, visible, mine, depth_m, incidence):
+@dataclass(frozen=True, eq=False)
+class _Samples:
+    """All places' sample points: how they are shown, whether in the frame, depth [m] and incidence [degrees]."""
+
+    shown: ProjectedPlaces
+    framed: np.ndarray
+    depth_m: np.ndarray
+    incidence_deg: np.ndarray
+
+
+def _sighting(view, place, mine, samples):
+    """Sum up one place, whose sample points are `mine`."""
+    shown = samples.shown
+    visible, framed_share = mine & shown.visible, samples.framed[mine].mean()
     share = visible.sum() / mine.sum()
-    per_metre = float(np.median(view.camera.focal_px / np.maximum(depth_m[visible], 1e-6)))
-    known = incidence[visible][np.isfinite(incidence[visible])]
+    per_metre = float(np.median(view.camera.focal_px / np.maximum(samples.depth_m[visible], 1e-6)))
+    incidence = samples.incidence_deg[visible]
+    known = incidence[np.isfinite(incidence)]
     angle = float(np.median(known)) if known.size else float("nan")
     middle_x, middle_y = shown.x_px[visible].mean(), shown.y_px[visible].mean()
     off = np.where(visible, np.hypot(shown.x_px - middle_x, shown.y_px - middle_y), np.inf)

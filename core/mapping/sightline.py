@@ -14,13 +14,14 @@ the DEM first reaches it. That crossing is found exactly, patch by patch; block 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..base.curvature import EARTH_RADIUS_M, REFRACTION_COEFFICIENT
 from ..base.progress import SILENT, checkpoint, subtask
 from ..base.terrain import Window
-from .march import BEYOND, GROUND, SKY, VOID, Rays, build_pyramid, march
+from .march import BEYOND, GROUND, SKY, VOID, MarchingRays, build_pyramid, march
 
 STATE_NAMES = {GROUND: "ground", SKY: "sky", VOID: "void", BEYOND: "beyond"}
 
@@ -81,19 +82,31 @@ class GroundHits:
         return self.state == GROUND
 
 
-def cast_rays(
-    terrain,
-    frame,
-    eye_elevation_m,
-    azimuth_deg,
-    elevation_deg,
-    options=None,
-    progress=SILENT,
-    *,
-    east_m=0.0,
-    north_m=0.0,
-    end_m=None,
-):
+@dataclass(frozen=True, eq=False)
+class SightLines:
+    """Rays to cast; all arrays broadcast together to (N,).
+
+    Attributes
+    ----------
+    eye_elevation_m : float or array
+        Of the rays' origins [m].
+    azimuth_deg, elevation_deg : float or array
+        True azimuth and elevation angle above the horizontal [degrees].
+    east_m, north_m : float or array
+        Origins in local metres, 0 at the observer [m].
+    end_m : float or array
+        Do not look beyond this distance [m].
+    """
+
+    eye_elevation_m: Any
+    azimuth_deg: Any
+    elevation_deg: Any
+    east_m: Any = 0.0
+    north_m: Any = 0.0
+    end_m: Any = np.inf
+
+
+def cast_rays(terrain, frame, lines, options=None, progress=SILENT):
     """Find where rays first meet the terrain.
 
     Parameters
@@ -101,16 +114,9 @@ def cast_rays(
     terrain : Terrain
     frame : LocalFrame
         Around the observer, reaching at least as far as the rays.
-    eye_elevation_m : float or (N,) array
-        Of the rays' origins [m].
-    azimuth_deg, elevation_deg : (N,) arrays
-        True azimuth and elevation angle above the horizontal [degrees].
+    lines : SightLines
     options : SightOptions or None
     progress : Progress
-    east_m, north_m : float or (N,) array
-        Origins in local metres, 0 at the observer [m].
-    end_m : (N,) array or None
-        Per ray, do not look beyond this distance [m].
 
     Returns
     -------
@@ -122,10 +128,10 @@ def cast_rays(
     is taken to look out of it: only a surface reached from above stops a ray.
     """
     options = options or SightOptions()
-    given = (azimuth_deg, elevation_deg, eye_elevation_m, east_m, north_m, np.inf if end_m is None else end_m)
+    given = lines.azimuth_deg, lines.elevation_deg, lines.eye_elevation_m, lines.east_m, lines.north_m, lines.end_m
     azimuth, elevation, eye, east, north, end = (np.array(a, float) for a in np.broadcast_arrays(*given))
     shape = azimuth.shape
-    rays = Rays(
+    rays = MarchingRays(
         east.ravel(),
         north.ravel(),
         np.sin(np.radians(azimuth.ravel())),

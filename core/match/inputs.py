@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from ..base.model import HorizonProfile, SkylineEvidence
-from .prior import TYPICAL_POSITION_ERROR_M, CameraPrior, HeadingPrior
+from ..base.uncertainty import TYPICAL_POSITION_ERROR_M
+from .prior import CameraPrior, HeadingPrior
 
 
 @dataclass(frozen=True, eq=False)

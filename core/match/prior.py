@@ -9,9 +9,6 @@ import numpy as np
 from ..base.angles import difference, wrap_360
 from ..base.camera import FOCAL_SIGMA, Camera
 
-TYPICAL_POSITION_ERROR_M = 8.0
-"""Standard deviation of a phone's GPS under open sky."""
-
 
 @dataclass(frozen=True)
 class CameraPrior:

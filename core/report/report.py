@@ -30,7 +30,7 @@ class ReportWriter(PageWriter):
         Decides how far pictures are reduced.
     """
 
-    def __init__(
+    def __init__(  # seven: those of `PageWriter`, and one of its own
         self,
         document,
         title,

@@ -11,17 +11,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import map_coordinates
 
 from ..base.camera import project, unproject
 from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from ..base.progress import checkpoint
-from ..base.terrain import Window
+from .patch import VOID_M
 
 UNSEEN_TAN = -1e3
 """Tangent given to places without terrain."""
-VOID_M = -2.0e4
-"""Elevation given to voids: they hide nothing and show nothing."""
 COLUMNS_PER_BLOCK = 192
 
 
@@ -47,28 +44,6 @@ class Fan:
     highest: np.ndarray
 
 
-@dataclass(frozen=True, eq=False)
-class TerrainPatch:
-    """The part of a terrain that a view needs, in one piece.
-
-    Attributes
-    ----------
-    elevation_m : (r, c) float32 array
-        [m], voids at `VOID_M`.
-    window : Window
-        Its place in the raster.
-    """
-
-    elevation_m: np.ndarray
-    window: Window
-
-    def sample(self, field, frame, east_m, north_m, outside):
-        """Look a (r, c) field up at local metres, bilinearly; `outside` beyond the patch."""
-        col, row = frame.to_pixel(east_m, north_m)
-        place = np.array([row - self.window.row, col - self.window.col])
-        return map_coordinates(field, place, order=1, mode="constant", cval=outside, output=np.float32)
-
-
 def pixel_directions(camera, pose, rows=None):
     """Direction of every pixel.
 
@@ -91,19 +66,6 @@ def pixel_directions(camera, pose, rows=None):
     return turn, np.tan(np.radians(np.clip(elevation, -89.9, 89.9)))
 
 
-def read_patch(terrain, frame, eye_turns_deg, heading_deg, range_m):
-    """Read the bounding window of the view's wedge."""
-    azimuth = np.radians(heading_deg + np.linspace(eye_turns_deg[0] - 1, eye_turns_deg[1] + 1, 181))
-    east = np.append(range_m * np.sin(azimuth), 0.0)
-    north = np.append(range_m * np.cos(azimuth), 0.0)
-    col, row = frame.to_pixel(east, north)
-    low_col, low_row = int(np.floor(col.min())) - 3, int(np.floor(row.min())) - 3
-    window = Window(low_row, low_col, int(np.ceil(row.max())) + 4 - low_row, int(np.ceil(col.max())) + 4 - low_col)
-    window = window.clipped(terrain.shape)
-    elevation = np.asarray(terrain.read(window), np.float32)
-    return TerrainPatch(np.where(np.isfinite(elevation), elevation, np.float32(VOID_M)), window)
-
-
 def ring_distances_m(cell_m, focal_px, range_m):
     """Distances at which planes are sampled: dense near the eye, then about half a cell or a pixel."""
     distances, distance = [], 0.7
@@ -113,8 +75,25 @@ def ring_distances_m(cell_m, focal_px, range_m):
     return np.array(distances)
 
 
-def cast_fan(terrain_patch, frame, camera, pose, turns_deg, eye_elevation_m, range_m, progress):
-    """Sample the terrain on the planes between the two `turns_deg` (left, right of the heading)."""
+def cast_fan(terrain_patch, view, turns_deg, range_m, progress):
+    """Sample the terrain on vertical planes.
+
+    Parameters
+    ----------
+    terrain_patch : TerrainPatch
+    view : View
+        Its camera's focal length tells how densely.
+    turns_deg : (float, float)
+        First and last plane, from the heading [degrees].
+    range_m : float
+        How far [m].
+    progress : Progress
+
+    Returns
+    -------
+    Fan
+    """
+    frame, camera, pose, eye_elevation_m = view.frame, view.camera, view.pose, view.eye_elevation_m
     step = 0.5 * np.degrees(1 / camera.focal_px)
     count = int(np.ceil((turns_deg[1] - turns_deg[0]) / step)) + 3
     azimuth = pose.heading_deg + turns_deg[0] + step * (np.arange(count) - 1)

@@ -12,10 +12,13 @@ import numpy as np
 
 from ..base.camera import Camera, Pose
 from ..base.frame import LocalFrame
+from ..base.posed import PosedPhoto
 from ..base.progress import SILENT, Progress, checkpoint, subtask
 from ..base.terrain import Observer, Terrain, eye_elevation_m, ground_elevation_m
-from .cast import Traced, cast_fan, read_patch, row_blocks, skyline_row_px, trace, turns_deg
+from ..base.view import View
+from .cast import Traced, cast_fan, row_blocks, skyline_row_px, trace, turns_deg
 from .foreground import draw_foreground
+from .patch import read_patch
 from .scene import SceneOptions
 from .sensor import develop
 from .shading import Ground, Relief, shade_ground
@@ -102,11 +105,12 @@ def render_view(
     eye_m = max(eye_elevation_m(terrain, frame, observer), ground_m + LOWEST_EYE_M)
     turns = turns_deg(camera, pose)
     patch = read_patch(terrain, frame, turns, pose.heading_deg, scene.range_m)
-    fan = cast_fan(patch, frame, camera, pose, turns, eye_m, scene.range_m, subtask(progress, 0.0, 0.4))
+    view = View(PosedPhoto(camera, pose, observer), frame, eye_m)
+    fan = cast_fan(patch, view, turns, scene.range_m, subtask(progress, 0.0, 0.4))
     traced = trace(fan, camera, pose, eye_m, subtask(progress, 0.4, 0.5))
     skyline = skyline_row_px(fan, camera, pose)
     relief = Relief(patch, frame, scene)
-    radiance = _light(traced, relief, camera, pose, scene, eye_m, subtask(progress, 0.5, 0.8))
+    radiance = _light(traced, relief, view, scene, subtask(progress, 0.5, 0.8))
     radiance, cover = _obstruct(_soften(radiance, skyline), traced, fan, skyline, scene, pose)
     checkpoint(progress, 0.9)
     pixels = develop(radiance, camera, scene)
@@ -129,8 +133,9 @@ def render_view(
     )
 
 
-def _light(traced, relief, camera, pose, scene, eye_m, progress):
+def _light(traced, relief, view, scene, progress):
     """Light from sky, clouds behind and hazy ground, before anything in front of it."""
+    camera, pose = view.camera, view.pose
     radiance = np.empty(traced.tangent.shape + (3,), np.float32)
     levels = _levels(scene, traced.elevation_m, traced.distance_m)
     for rows in row_blocks(camera):
@@ -142,12 +147,13 @@ def _light(traced, relief, camera, pose, scene, eye_m, progress):
             light = light + opacity[..., None] * (colour - light)
         solid = np.isfinite(part.distance_m)
         if solid.any():
-            light[solid] = _hazy_ground(part, solid, relief, camera, pose, scene, eye_m, levels)
+            light[solid] = _hazy_ground(part, solid, relief, view, scene, levels)
         radiance[rows.start : rows.stop] = light
     return radiance
 
 
-def _hazy_ground(part, solid, relief, camera, pose, scene, eye_m, levels):
+def _hazy_ground(part, solid, relief, view, scene, levels):
+    camera, pose = view.camera, view.pose
     turn, tangent, distance, east, north, elevation = (
         getattr(part, field.name)[solid].astype(float) for field in fields(Traced)
     )
@@ -155,7 +161,7 @@ def _hazy_ground(part, solid, relief, camera, pose, scene, eye_m, levels):
     sight = np.stack([-np.sin(angle), -np.cos(angle), -tangent], axis=-1) / slant[:, None]
     ground = Ground(east, north, elevation, distance, sight, distance * slant / camera.focal_px)
     own = shade_ground(ground, relief, scene, *daylight(scene), levels)
-    through = transmission(distance * slant, eye_m, elevation, scene.visibility_m)
+    through = transmission(distance * slant, view.eye_elevation_m, elevation, scene.visibility_m)
     return own * through + air_light(turn, scene, pose.heading_deg) * (1 - through)
 
 

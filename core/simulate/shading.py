@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
-from .cast import VOID_M
 from .noise import noise_tile, smoothstep
+from .patch import VOID_M, sample_field
 
 ROCK = np.array([0.185, 0.170, 0.155], np.float32)
 WARM_ROCK = np.array([0.225, 0.190, 0.155], np.float32)
@@ -191,9 +191,10 @@ class Relief:
         col, row = self._frame.to_pixel(east_m, north_m)
         fine = np.array([row - self._patch.window.row, col - self._patch.window.col])
         coarse = fine / self._thin
-        slope_east, slope_north = (_look_up(slope, fine) for slope in self._slopes)
-        free = _look_up(self._elevation, coarse) - _look_up(self._shadow, coarse)
-        return slope_east, slope_north, np.clip(free / self._penumbra_m + 1, 0, 1), _look_up(self._openness, coarse)
+        slope_east, slope_north = (sample_field(slope, *fine) for slope in self._slopes)
+        free = sample_field(self._elevation, *coarse) - sample_field(self._shadow, *coarse)
+        openness = sample_field(self._openness, *coarse)
+        return slope_east, slope_north, np.clip(free / self._penumbra_m + 1, 0, 1), openness
 
 
 def sun_vector(scene):
@@ -238,7 +239,3 @@ def _shadow(elevation, cell_m, jacobian, thin, scene):
 def _towards(field, step):
     """Bring to every cell what lies (cols, rows) `step` away from it."""
     return ndimage.shift(field, (-step[1], -step[0]), order=1, mode="constant", cval=-1e5)
-
-
-def _look_up(field, place):
-    return ndimage.map_coordinates(field, place, order=1, mode="nearest", output=np.float32)

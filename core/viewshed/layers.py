@@ -12,13 +12,15 @@ from ..base.camera import project, unproject
 from ..base.curvature import apparent_drop_m
 from ..base.progress import SILENT
 from ..base.terrain import Window
-from .viewshed import ArraySink, FullCircle, ViewshedOptions, viewshed
+from ..base.viewed import ArraySink
+from .sector import FullCircle
+from .viewshed import ViewshedOptions, viewshed
 
 TILE_ROWS = 256
 
 LAYERS = ("m", "degrees", "m", "px", "px")
-"""Units of what `sector_layers` gives: distance, elevation angle, height above the line of sight, and, with a camera,
-column and row in the photograph."""
+"""Units of what `sector_layers` gives: distance, elevation angle, height above the line of sight, and column and row in
+the photograph, where there is one."""
 
 NOTHING_BETWEEN_M = 9999.0
 """Height above the line of sight of cells next to the eye, before which no ground lies [m]."""
@@ -54,14 +56,14 @@ def clearance(terrain, observer, sector=FullCircle(), options=ViewshedOptions(),
     return viewshed(terrain, observer, sector, options, progress, ClearanceSink)
 
 
-def layers(terrain, seen, camera=None, pose=None):
+def layers(terrain, seen, photo=None):
     """Geometry of the cells of a viewshed's window, strip by strip.
 
     Parameters
     ----------
     terrain : Terrain
     seen : Viewshed
-    camera, pose : Camera, Pose or None
+    photo : PosedPhoto or None
         For the place in the photograph.
 
     Yields
@@ -70,7 +72,7 @@ def layers(terrain, seen, camera=None, pose=None):
         A strip of the raster.
     values : dict of (rows, cols) float32 arrays
         'distance_m'; 'azimuth_deg'; 'elevation_deg', the angle under which the target on the cell appears; with
-        a camera 'column_px' and 'row_px', NaN behind the camera. NaN where the DEM has no data.
+        a photograph 'column_px' and 'row_px', NaN behind the camera. NaN where the DEM has no data.
     """
     window, frame, options = seen.window, seen.frame, seen.options
     for first in range(0, window.rows, TILE_ROWS):
@@ -87,14 +89,14 @@ def layers(terrain, seen, camera=None, pose=None):
             "azimuth_deg": np.degrees(np.arctan2(east, north)) % 360.0,
             "elevation_deg": np.degrees(np.arctan2(rise, distance)),
         }
-        if camera is not None:
-            place = project(camera, pose, values["azimuth_deg"], values["elevation_deg"])
+        if photo is not None:
+            place = project(photo.camera, photo.pose, values["azimuth_deg"], values["elevation_deg"])
             values["column_px"], values["row_px"] = place
         void = np.isnan(elevation)
         yield strip, {name: np.where(void, np.nan, one).astype(np.float32) for name, one in values.items()}
 
 
-def sector_layers(terrain, seen, lifted, camera=None, pose=None):
+def sector_layers(terrain, seen, lifted, photo=None):
     """Layers of the cells that lie in a viewshed's sector and range, seen or not, strip by strip.
 
     Parameters
@@ -103,7 +105,7 @@ def sector_layers(terrain, seen, lifted, camera=None, pose=None):
     seen : Viewshed
     lifted : Viewshed
         Of `clearance`, for the same window.
-    camera, pose : Camera, Pose or None
+    photo : PosedPhoto or None
         For the place in the photograph.
 
     Yields
@@ -114,7 +116,7 @@ def sector_layers(terrain, seen, lifted, camera=None, pose=None):
         In the order of `LAYERS`; NaN outside the sector and the range, and where the DEM has no data.
     """
     options, sector = seen.options, seen.sector
-    for strip, values in layers(terrain, seen, camera, pose):
+    for strip, values in layers(terrain, seen, photo):
         distance = values["distance_m"]
         first = strip.row - seen.window.row
         above = np.minimum(lifted.values[first : first + strip.rows], np.float32(NOTHING_BETWEEN_M))
@@ -125,7 +127,7 @@ def sector_layers(terrain, seen, lifted, camera=None, pose=None):
             *(values[name][inside].astype(float) for name in ("azimuth_deg", "elevation_deg", "distance_m"))
         )
         bands = [distance, values["elevation_deg"], above]
-        bands += [] if camera is None else [values["column_px"], values["row_px"]]
+        bands += [] if photo is None else [values["column_px"], values["row_px"]]
         yield strip, [np.where(inside, band, np.float32(np.nan)) for band in bands]
 
 

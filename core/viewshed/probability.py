@@ -20,49 +20,29 @@ from ..base.errors import ObserverError
 from ..base.progress import SILENT, checkpoint, subtask
 from ..base.terrain import Window
 from .layers import ClearanceSink
-from .viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
+from .sector import PhotoFrame, Wedge
+from .viewshed import ViewshedOptions, viewshed
 
-QUANTILE_90 = 1.6449
 TILE_ROWS = 256
 
 
 @dataclass(frozen=True)
-class ViewUncertainty:
-    """Standard deviations of what is known of a photograph, and the number of samples.
+class SampleOptions:
+    """How the errors of pose and focal length are sampled.
 
     Attributes
     ----------
-    heading_deg, pitch_deg, roll_deg : float
-        Of the pose [degrees].
-    focal_relative : float
-        Of the focal length, relative.
-    position_m : float
-        Of the position along each axis [m].
-    dem_m : float
-        Of the height of a cell above the obstacle before it, as the DEM has it [m].
     frames : int
         Samples of pose and focal length.
     seed : int
     """
 
-    heading_deg: float = 0.5
-    pitch_deg: float = 0.3
-    roll_deg: float = 0.5
-    focal_relative: float = 0.01
-    position_m: float = 8.0
-    dem_m: float = 3.0
     frames: int = 24
     seed: int = 0
 
     def __post_init__(self):
-        sigmas = self.heading_deg, self.pitch_deg, self.roll_deg, self.focal_relative, self.position_m, self.dem_m
-        if min(sigmas) < 0 or self.focal_relative > 0.3 or self.frames < 1:
-            raise ValueError(f"an uncertainty is out of range: {self}")
-
-    @classmethod
-    def from_interval(cls, heading_lo_deg, heading_hi_deg, **others):
-        """Take the heading's spread from its 90 % interval, clockwise from lo to hi [degrees]."""
-        return cls(heading_deg=((heading_hi_deg - heading_lo_deg) % 360) / 2 / QUANTILE_90, **others)
+        if self.frames < 1:
+            raise ValueError(f"at least one sample of the frame is needed, not {self.frames}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,19 +77,18 @@ class VisibilityProbability:
 
 
 def visibility_probability(
-    terrain, observer, camera, pose, uncertainty=ViewUncertainty(), options=ViewshedOptions(), progress=SILENT  # noqa: B008 - frozen
+    terrain, photo, options=ViewshedOptions(), sampling=SampleOptions(), progress=SILENT  # noqa: B008 - frozen
 ):  # fmt: skip
     """Carry the uncertainty of a photograph's orientation into the ground that it shows.
 
     Parameters
     ----------
     terrain : Terrain
-    observer : Observer
-    camera : Camera
-        Of the full upright picture.
-    pose : Pose
-    uncertainty : ViewUncertainty
+    photo : PosedPhoto
+        With its uncertainty, of which the error of the eye's elevation is not used: it moves all lines of sight
+        together, and the error of the DEM stands for it.
     options : ViewshedOptions
+    sampling : SampleOptions
     progress : Progress
 
     Returns
@@ -121,9 +100,9 @@ def visibility_probability(
     ObserverOutsideDemError, NoElevationAtObserverError, UnusableDemError
         For the stated position; shifted positions off the DEM are left out.
     """
-    samples = _frame_samples(camera, pose, uncertainty)
-    sector = _sector(camera, pose, uncertainty, samples)
-    window, seen, frame, eye_m = _seen(terrain, observer, sector, uncertainty, options, subtask(progress, 0.0, 0.8))
+    samples = _frame_samples(photo, sampling)
+    sector = _sector(photo, samples)
+    window, seen, frame, eye_m = _seen(terrain, photo, sector, options, subtask(progress, 0.0, 0.8))
     for first in range(0, window.rows, TILE_ROWS):
         checkpoint(progress, 0.8 + 0.2 * first / max(window.rows, 1))
         strip = seen[first : first + TILE_ROWS]
@@ -137,9 +116,10 @@ def visibility_probability(
     return VisibilityProbability(window, seen, float(np.prod(frame.cell_size_m)))
 
 
-def _sector(camera, pose, uncertainty, samples):
+def _sector(photo, samples):
     """Wedge that holds the frame with its errors of heading and focal length, and all samples of it."""
-    start, width = PhotoFrame(camera, pose).azimuth_range_deg
+    uncertainty = photo.uncertainty
+    start, width = PhotoFrame(photo.camera, photo.pose).azimuth_range_deg
     middle = start + width / 2
     half = width / 2 + 3 * float(np.hypot(uncertainty.heading_deg, width / 2 * uncertainty.focal_relative))
     for sample in samples:  # a corner that rolls outwards lies beside the level frame
@@ -148,9 +128,10 @@ def _sector(camera, pose, uncertainty, samples):
     return Wedge(middle % 360, min(2 * half, 360.0))
 
 
-def _seen(terrain, observer, sector, uncertainty, options, progress):
+def _seen(terrain, photo, sector, options, progress):
     """Probability that each cell can be seen at all: (window, probability, frame, eye elevation)."""
-    places = _positions(observer, uncertainty.position_m)
+    uncertainty = photo.uncertainty
+    places = _positions(photo.observer, uncertainty.position_m)
     total = weight = None
     for index, place in enumerate(places):
         part = subtask(progress, index / len(places), (index + 1) / len(places))
@@ -211,11 +192,12 @@ def _accumulate(total, window, other, other_window):
         ]
 
 
-def _frame_samples(camera, pose, uncertainty):
+def _frame_samples(photo, sampling):
     """Cameras and poses drawn from the errors, in pairs of opposite sign so that their mean is exact."""
-    half = -(-uncertainty.frames // 2)
-    draw = np.random.default_rng(uncertainty.seed).standard_normal((half, 4))
-    draw = np.concatenate([draw, -draw])[: max(uncertainty.frames, 1)]
+    camera, pose, uncertainty = photo.camera, photo.pose, photo.uncertainty
+    half = -(-sampling.frames // 2)
+    draw = np.random.default_rng(sampling.seed).standard_normal((half, 4))
+    draw = np.concatenate([draw, -draw])[: max(sampling.frames, 1)]
     scale = uncertainty.heading_deg, uncertainty.pitch_deg, uncertainty.roll_deg, uncertainty.focal_relative
     return [
         (

@@ -10,25 +10,74 @@ from ..base.angles import difference, in_wedge
 from ..base.camera import Camera, Pose, in_frame, project, unproject
 
 
-@dataclass(frozen=True)
-class FullCircle:
-    """Everything around the observer."""
+class Sector:
+    """What a sweep asks of a part of the view; all sectors derive from this class.
 
-    selective, azimuth_only = False, True
+    Attributes
+    ----------
+    selective : bool
+        Some directions do not lie in it.
+    azimuth_only : bool
+        The azimuth alone decides.
+    includes_observer : bool
+        The observer's own cell lies in it.
+    gives_marks : bool
+        The sweep asks `marks` about each cell, and not `accepts`.
+    azimuth_range_deg : (float, float)
+        First azimuth and width of a wedge that holds it [degrees].
+    """
+
+    selective, azimuth_only = True, False
     includes_observer = True
+    gives_marks = False
     azimuth_range_deg = (0.0, 360.0)
 
     def touches(self, azimuth_deg, margin_deg):
         """Tell which azimuths lie in the sector, or within a margin of it [degrees]."""
+        raise NotImplementedError
+
+    def accepts(self, azimuth_deg, elevation_deg, distance_m):
+        """Tell which directions lie in the sector.
+
+        Parameters
+        ----------
+        azimuth_deg : array
+            True [degrees].
+        elevation_deg : array or None
+            Apparent elevation angle, NaN where the terrain is unknown; None where `azimuth_only` [degrees].
+        distance_m : array or None
+            Ground distance; None where `azimuth_only` [m].
+        """
+        raise NotImplementedError
+
+    def marks(self, azimuth_deg, elevation_deg, distance_m):
+        """Give bits to add to the values of cells in these directions, 0 for those outside: uint32.
+
+        Parameters
+        ----------
+        azimuth_deg, elevation_deg, distance_m : array
+            As for `accepts`.
+        """
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class FullCircle(Sector):
+    """Everything around the observer."""
+
+    selective, azimuth_only = False, True
+
+    def touches(self, azimuth_deg, margin_deg):
+        """See `Sector.touches`."""
         return np.ones(np.shape(azimuth_deg), bool)
 
     def accepts(self, azimuth_deg, elevation_deg, distance_m):
-        """Tell which directions lie in the sector."""
+        """See `Sector.accepts`."""
         return np.ones(np.shape(azimuth_deg), bool)
 
 
 @dataclass(frozen=True)
-class Wedge:
+class Wedge(Sector):
     """Azimuths within half the width of the heading, edges included.
 
     Attributes
@@ -42,8 +91,7 @@ class Wedge:
     heading_deg: float
     width_deg: float
 
-    selective, azimuth_only = True, True
-    includes_observer = True
+    azimuth_only = True
 
     def __post_init__(self):
         if not 0 < self.width_deg <= 360:
@@ -55,17 +103,17 @@ class Wedge:
         return self.heading_deg - self.width_deg / 2, self.width_deg
 
     def touches(self, azimuth_deg, margin_deg):
-        """See `FullCircle.touches`."""
+        """See `Sector.touches`."""
         return in_wedge(azimuth_deg, self.heading_deg, self.width_deg + 2 * margin_deg)
 
     def accepts(self, azimuth_deg, elevation_deg, distance_m):
-        """See `FullCircle.accepts`."""
+        """See `Sector.accepts`."""
         # The tenth of a microdegree keeps cells that lie on an edge inside it whatever the rounding.
         return in_wedge(azimuth_deg, self.heading_deg, self.width_deg + 2e-7)
 
 
 @dataclass(frozen=True, eq=False)
-class PhotoFrame:
+class PhotoFrame(Sector):
     """Directions that project into the photograph, by the exact pinhole camera.
 
     Attributes
@@ -85,7 +133,6 @@ class PhotoFrame:
     skyline_row_px: np.ndarray | None = None
     tolerance_px: float = 0.0
 
-    selective, azimuth_only = True, False
     includes_observer = False
 
     @property
@@ -107,12 +154,12 @@ class PhotoFrame:
         return self.pose.heading_deg, min(float(np.abs(turn).max()) + 0.01, 180.0)
 
     def touches(self, azimuth_deg, margin_deg):
-        """See `FullCircle.touches`."""
+        """See `Sector.touches`."""
         centre, half = self._wedge()
         return in_wedge(azimuth_deg, centre, min(2 * (half + margin_deg), 360.0))
 
     def accepts(self, azimuth_deg, elevation_deg, distance_m):
-        """See `FullCircle.accepts`; a direction without elevation angle (a void) is accepted within the wedge."""
+        """See `Sector.accepts`; a direction without elevation angle (a void) is accepted within the wedge."""
         x, y = project(self.camera, self.pose, azimuth_deg, elevation_deg)
         accepted = in_frame(self.camera, x, y)
         if self.skyline_row_px is not None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from .sweep import UNKNOWN, VISIBLE
+from ..base.viewed import UNKNOWN, VISIBLE, Sink
 
 
-class PackedSink:
+class PackedSink(Sink):
     """Collects the sweep's results in two bits per cell, and gives them back piece by piece.
 
     Serves in place of the array of values where that is only ever cut into pieces: ``values[rows, cols]`` with two
@@ -15,7 +15,6 @@ class PackedSink:
     """
 
     CODES = np.array([0, VISIBLE, UNKNOWN, UNKNOWN], np.uint8)
-    dtype, wants_clearance = np.dtype(np.uint8), False
 
     def __init__(self, window):
         self.window, self.shape = window, (window.rows, window.cols)
@@ -28,7 +27,7 @@ class PackedSink:
         return self
 
     def add(self, window, values):
-        """See `viewshed.ArraySink.add`."""
+        """See `Sink.add`."""
         left = window.col // 4 * 4
         padded = np.zeros((window.rows, -(-(window.col + window.cols - left) // 4) * 4), np.uint8)
         padded[:, window.col - left : window.col - left + window.cols] = np.minimum(values, 2)
@@ -38,7 +37,7 @@ class PackedSink:
         self._cells[row : row + window.rows, col : col + packed.shape[1]] |= packed
 
     def set(self, row, col, value):
-        """See `viewshed.ArraySink.set`."""
+        """See `Sink.set`."""
         place = row - self.window.row, (col - self._first) // 4
         shift = 2 * ((col - self._first) % 4)
         self._cells[place] = (int(self._cells[place]) & ~(3 << shift)) | min(value, 2) << shift

@@ -2,12 +2,34 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from ..base.terrain import Window, read_into
+from ..base.terrain import Window
 
 SLAB = 256
 """Lines read at once; slabs start at its multiples, as the tiles of usual files do."""
+
+
+@dataclass(frozen=True, eq=False)
+class SweptGround:
+    """What one sweep runs over.
+
+    Attributes
+    ----------
+    terrain : Terrain
+    quarter : Quarter
+    window : Window
+        Of the raster; nothing outside is read.
+    k_max : float
+        Distance of the quarter's last line [lines].
+    """
+
+    terrain: object
+    quarter: object
+    window: object
+    k_max: float
 
 
 class Slabs:
@@ -15,18 +37,15 @@ class Slabs:
 
     Parameters
     ----------
-    terrain : Terrain
-    quarter : Quarter
-    window : Window
-        Of the raster; nothing outside is read.
+    ground : SweptGround
     u : (R,) array
         Rays.
     open_rays : (R,) bool array
         Those in the sector.
     """
 
-    def __init__(self, terrain, quarter, window, u, open_rays):
-        self.terrain, self.quarter, self.window = terrain, quarter, window
+    def __init__(self, ground, u, open_rays):
+        self.terrain, self.quarter, self.window = ground.terrain, ground.quarter, ground.window
         self._ends = u[np.flatnonzero(open_rays)[[0, -1]]]
         self._memory = np.empty(0, np.float32)
 
@@ -49,10 +68,10 @@ class Slabs:
         window = self.window
         return (window.row, window.rows) if of_rows else (window.col, window.cols)
 
-    def read(self, lines):
+    def read_transient(self, lines):
         """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes.
 
-        They hold until the next slab is read.
+        Reading the next slab overwrites them.
         """
         low, high = self._along_range(np.abs(lines[[0, -1]] - self.quarter.origin_line))
         first, count = self.extent(not self.quarter.by_rows)
@@ -68,7 +87,7 @@ class Slabs:
         cells[:, : inner - start], cells[:, end - start :] = LOW, LOW
         place = cells[:: self.quarter.sign, inner - start : end - start]
         if by_rows:
-            read_into(self.terrain, window, place)
+            self.terrain.read_into(window, place)
         else:
             values = self.terrain.read(window)
             for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
@@ -98,7 +117,22 @@ class Slabs:
         )
 
     def place(self, lines, start, width):
-        """Window of the raster that a slab of `width` cells from `start` covers, and the slice of the slab in it."""
+        """Find where a part of a slab lies on the raster.
+
+        Parameters
+        ----------
+        lines : int array
+            Of the slab.
+        start, width : int
+            First cell along the lines, and how many.
+
+        Returns
+        -------
+        window : Window
+            Of the raster.
+        inner : slice
+            Of the part of the slab, inside the raster's window.
+        """
         first, count = self.extent(not self.quarter.by_rows)
         inner, end = max(start, first), min(start + width, first + count)
         top = int(min(lines[0], lines[-1]))
@@ -201,6 +235,17 @@ def _highest(cells):
 def range_minimum(values, first, last):
     """Minimum of `values[first:last + 1]` for many ranges, rounded outwards to whole chunks.
 
+    Parameters
+    ----------
+    values : (N,) array
+    first, last : (M,) int arrays
+
+    Returns
+    -------
+    (M,) array
+
+    Notes
+    -----
     A sparse table over the chunks' minima: each range is covered by two overlapping powers of two.
     """
     padded = np.full(-(-len(values) // CHUNK) * CHUNK, CLOSED, values.dtype)

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.progress import SILENT, checkpoint, subtask
-from .viewshed import ArraySink, Viewshed, ViewshedOptions, mark_observer, sector_window, viewshed
+from ..base.viewed import ArraySink, Viewshed
+from .sector import Sector
+from .viewshed import ViewshedOptions, mark_observer, sector_window, viewshed
 
 CODE_BITS = 8
 """Of a cell's value, 0, 1 or 255; the bits above it tell in which sectors the cell lies."""
@@ -17,12 +19,12 @@ MOST_SECTORS = 32 - CODE_BITS
 
 
 @dataclass(frozen=True, eq=False)
-class AnyOf:
+class AnyOf(Sector):
     """Everything that lies in at least one of several sectors."""
 
     sectors: tuple
 
-    selective, azimuth_only = True, False
+    gives_marks = True
     includes_observer = False  # each sector on its own decides it
 
     @property
@@ -35,11 +37,11 @@ class AnyOf:
         return (first + low, high - low) if high - low < 360 else (0.0, 360.0)
 
     def touches(self, azimuth_deg, margin_deg):
-        """See `FullCircle.touches`."""
+        """See `Sector.touches`."""
         return np.logical_or.reduce([sector.touches(azimuth_deg, margin_deg) for sector in self.sectors])
 
     def marks(self, azimuth_deg, elevation_deg, distance_m):
-        """One bit per sector for every direction, above a cell's own value: uint32."""
+        """See `Sector.marks`; one bit per sector, above a cell's own value."""
         marks = np.zeros(np.shape(azimuth_deg), np.uint32)
         for number, sector in enumerate(self.sectors):
             inside = sector.accepts(azimuth_deg, elevation_deg, distance_m)
@@ -61,7 +63,7 @@ def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), pro
     ----------
     terrain, observer, options, progress
         As for `viewshed`.
-    sectors : sequence of FullCircle, Wedge or PhotoFrame
+    sectors : sequence of Sector
 
     Yields
     ------

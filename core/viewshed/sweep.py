@@ -17,10 +17,10 @@ import numpy as np
 
 from ..base.angles import difference
 from ..base.progress import checkpoint
+from ..base.viewed import UNKNOWN
 from .geometry import Table, beside, held_places, shares
 from .slabs import BAND, CLOSED, NEVER, Blocks, Slabs
 
-VISIBLE, UNKNOWN = 1, 255
 TINY = np.float32(1e-6)
 OUTSIDE, INSIDE, EDGE = np.uint8(0), np.uint8(1), np.uint8(2)
 
@@ -74,8 +74,9 @@ class _Passed:
 class QuarterSweep:
     """State and steps of one quarter's sweep."""
 
-    def __init__(self, terrain, quarter, window, k_max, sector, options, sink):
-        self.terrain, self.quarter, self.window, self.k_max = terrain, quarter, window, k_max
+    def __init__(self, ground, sector, options, sink):
+        self.ground, self.quarter, self.k_max = ground, ground.quarter, ground.k_max
+        quarter, k_max = ground.quarter, ground.k_max
         self.sector, self.options, self.sink = sector, options, sink
         spacing = 1.0 / max(k_max * options.rays_per_cell, 8.0)
         count = int(np.ceil((quarter.u_max - quarter.u_min) / spacing)) + 3
@@ -97,11 +98,11 @@ class QuarterSweep:
         """Sweep the quarter outwards, slab by slab."""
         if not self.open.any():
             return
-        self.slabs = Slabs(self.terrain, self.quarter, self.window, self.u, self.open)
+        self.slabs = Slabs(self.ground, self.u, self.open)
         for lines in self.slabs.lines():
             k_last = abs(lines[-1] - self.quarter.origin_line)
             checkpoint(progress, min(1.0, (k_last / self.k_max) ** 2))
-            slab = self.slabs.read(lines)
+            slab = self.slabs.read_transient(lines)
             if slab is not None:
                 self._sweep_slab(lines, *slab)
 
@@ -251,7 +252,7 @@ class QuarterSweep:
             u = u + low + (high - low) * shares(k)[line]
         azimuth = self.quarter.azimuth_deg(u)
         directions = azimuth, np.degrees(np.arctan(tangent[line, cell])), distance[line, cell]
-        if hasattr(self.sector, "marks"):
+        if self.sector.gives_marks:
             marks = self.sector.marks(*directions)
             value[line, cell] = np.where(marks > 0, value[line, cell] | marks, 0)
             return

@@ -14,20 +14,21 @@ from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from ..base.errors import ObserverOutsideDemError
 from ..base.progress import SILENT, subtask
 from ..base.terrain import Window, eye_elevation_m
+from ..base.viewed import VISIBLE, ArraySink, Viewshed
 from .geometry import quarters
 from .sector import FullCircle, PhotoFrame, Wedge
 from .sinks import PackedSink
-from .sweep import UNKNOWN, VISIBLE, QuarterSweep, SweepOptions
+from .slabs import SweptGround
+from .sweep import QuarterSweep, SweepOptions
 
 __all__ = [
-    "UNKNOWN",
-    "VISIBLE",
     "FullCircle",
     "PackedSink",
     "PhotoFrame",
     "Viewshed",
     "ViewshedOptions",
     "Wedge",
+    "photo_viewshed",
     "viewshed",
 ]
 
@@ -81,71 +82,19 @@ class ViewshedOptions:
             raise ValueError(f"rays_per_cell must lie in 0.25 to 8, not {self.rays_per_cell}")
 
 
-@dataclass(frozen=True, eq=False)
-class Viewshed:
-    """Which cells are seen.
-
-    Attributes
-    ----------
-    window : Window
-        Part of the raster that the values cover; outside it nothing is in the sector.
-    values : (rows, cols) uint8 array, PackedSink or None
-        1 seen; 0 not seen or outside sector and range; 255 unknown (no data there, or between there and the eye).
-        What the caller's sink holds, where there is one.
-    frame : LocalFrame
-        True directions and distances of the cells.
-    eye_elevation_m : float
-    options : ViewshedOptions
-    sector : FullCircle, Wedge or PhotoFrame
-    """
-
-    window: Window
-    values: np.ndarray | None
-    frame: object
-    eye_elevation_m: float
-    options: ViewshedOptions
-    sector: object
-
-    @property
-    def visible(self):
-        """(rows, cols) bool: cells that are certainly seen."""
-        return self.values == VISIBLE
-
-
-class ArraySink:
-    """Collects the sweep's results in memory.
-
-    Every cell is given once, so that adding is writing; a sink of one's own (a file) needs these members.
-    """
-
-    def __init__(self, window, dtype=np.uint8):
-        self.window, self.dtype = window, np.dtype(dtype)
-        self.wants_clearance = self.dtype.kind == "f"
-        self.values = np.zeros((window.rows, window.cols), self.dtype)
-
-    def add(self, window, values):
-        """Add values of a window of the raster."""
-        row, col = window.row - self.window.row, window.col - self.window.col
-        place = self.values[row : row + window.rows, col : col + window.cols]
-        np.add(place, values, out=place)
-
-    def set(self, row, col, value):
-        """Set one cell of the raster."""
-        self.values[row - self.window.row, col - self.window.col] = value
-
-
-def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), progress=SILENT, sink=None):  # noqa: B008 - frozen values
+def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), progress=SILENT, sink=ArraySink):  # noqa: B008 - frozen values
     """Find the ground that is seen from one place.
 
     Parameters
     ----------
     terrain : Terrain
     observer : Observer
-    sector : FullCircle, Wedge or PhotoFrame
+    sector : Sector
+        `FullCircle`, `Wedge` or `PhotoFrame`.
     options : ViewshedOptions
     progress : Progress
-    sink : object or callable or None
-        Takes the results instead of memory (see `ArraySink`); a callable is called with the window to make one.
+    sink : callable
+        Makes from the window the `Sink` that takes the results, in memory or elsewhere.
 
     Returns
     -------
@@ -162,7 +111,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
         raise ObserverOutsideDemError(observer.longitude_deg, observer.latitude_deg)
     eye_m = eye_elevation_m(terrain, frame, observer)
     window = sector_window(frame, terrain.shape, sector, options.max_distance_m)
-    sink = ArraySink(window) if sink is None else sink(window) if callable(sink) else sink
+    taken = sink(window)
     drop = float(apparent_drop_m(1.0, options.refraction_coefficient)) if options.curvature else 0.0
     sweep_options = SweepOptions(
         eye_m,
@@ -178,16 +127,50 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     k_max = _farthest_lines(frame, sector_window(frame, terrain.shape, FullCircle(), options.max_distance_m))
     views = quarters(frame, k_max, sector.touches)
     for done, quarter in enumerate(views):
-        sweep = QuarterSweep(
-            terrain, quarter, window, k_max[quarter.by_rows, quarter.sign], sector, sweep_options, sink
-        )
+        ground = SweptGround(terrain, quarter, window, k_max[quarter.by_rows, quarter.sign])
+        sweep = QuarterSweep(ground, sector, sweep_options, taken)
         sweep.run(subtask(progress, done / len(views), (done + 1) / len(views)))
-    mark_observer(sink, frame, terrain.shape, sector, options)
-    return Viewshed(window, getattr(sink, "values", None), frame, eye_m, options, sector)
+    mark_observer(taken, frame, terrain.shape, sector, options)
+    return Viewshed(window, taken.values, frame, eye_m, options, sector)
+
+
+def photo_viewshed(terrain, photo, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen values
+    """Find the ground that a photograph shows: what its eye sees within its frame.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    photo : PosedPhoto
+    options : ViewshedOptions
+    progress : Progress
+
+    Returns
+    -------
+    Viewshed
+
+    Raises
+    ------
+    ObserverOutsideDemError, NoElevationAtObserverError, UnusableDemError
+    """
+    return viewshed(terrain, photo.observer, PhotoFrame(photo.camera, photo.pose), options, progress)
 
 
 def sector_window(frame, shape, sector, max_distance_m):
-    """Rectangle of the raster that holds the sector out to a distance, cut to `shape` (rows, cols)."""
+    """Find the rectangle of the raster that holds a sector out to a distance.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    shape : (rows, columns)
+        Of the raster, to which the rectangle is cut.
+    sector : Sector
+    max_distance_m : float
+        [m].
+
+    Returns
+    -------
+    Window
+    """
     start, width = sector.azimuth_range_deg
     azimuth = np.radians(start + np.linspace(0.0, width, 721))
     col, row = frame.to_pixel(max_distance_m * np.sin(azimuth), max_distance_m * np.cos(azimuth))
@@ -208,7 +191,17 @@ def _farthest_lines(frame, window):
 
 
 def mark_observer(sink, frame, shape, sector, options):
-    """The observer's own point belongs to no quarter where it lies on a cell's centre; one sees one's own cell."""
+    """Mark the observer's own cell as seen: it belongs to no quarter where the observer stands on its centre.
+
+    Parameters
+    ----------
+    sink : Sink
+    frame : LocalFrame
+    shape : (rows, columns)
+        Of the raster.
+    sector : Sector
+    options : ViewshedOptions
+    """
     if sink.wants_clearance or not sector.includes_observer or options.min_distance_m > 0:
         return
     rows, cols = shape

@@ -56,13 +56,14 @@ def oriented(qgis_app, scene):
 def known(scene):
     """The north photo as the core has it: view and terrain."""
     from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
+    from skyline_viewshed.core.base.posed import PosedPhoto
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.base.view import open_view
     from skyline_viewshed.core.io.raster import open_dem
 
     dem = open_dem(str(scene.dem))
     camera = Camera(800, 600, focal_of_fov_px(800, scene.hfov_deg))
-    view = open_view(dem, Observer(*scene.positions["north"], 1.7), camera, scene.truth["north"], REACH_M)
+    view = open_view(dem, PosedPhoto(camera, scene.truth["north"], Observer(*scene.positions["north"], 1.7)), REACH_M)
     return SimpleNamespace(dem=dem, view=view, camera=camera)
 
 

@@ -102,7 +102,7 @@ def test_the_way_between_the_photographs_is_in_order_of_time_and_rests_at_night(
 def test_stations_take_positions_and_times_where_they_are(run, scene, tmp_path):
     from skyline_viewshed.algorithms.shared.fields import is_null
     from skyline_viewshed.algorithms.shared.layers import PointRow
-    from skyline_viewshed.algorithms.shared.result_figures import Station, stations_of
+    from skyline_viewshed.algorithms.shared.result_figures import PhotoPlace, stations_of
 
     run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(tmp_path / "points.gpkg")})
     features = list(QgsVectorLayer(str(tmp_path / "points.gpkg")).getFeatures())
@@ -113,7 +113,7 @@ def test_stations_take_positions_and_times_where_they_are(run, scene, tmp_path):
         assert station.longitude_deg == pytest.approx(float(feature["longitude"]))
         assert (station.time_s is None) == is_null(feature["timestamp"])
     assert stations_of([PointRow(features[0], "", 7.0, 46.0)])[0].longitude_deg == 7.0
-    assert isinstance(found[0], Station)
+    assert isinstance(found[0], PhotoPlace)
 
 
 def test_a_figure_without_its_photograph_has_the_maps_alone(solved, run, scene, tmp_path):

@@ -12,7 +12,7 @@ from qgis.PyQt.QtGui import QColor
 from skyline_viewshed.algorithms.shared.styling import STYLES, dress_file, style_on_completion
 from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.io.viewshed_raster import write_layers
+from skyline_viewshed.core.io.viewshed_raster import LayerStack, write_layers
 
 pytestmark = pytest.mark.qgis
 
@@ -24,7 +24,8 @@ def dressed(scene, tmp_path):
     def make(style, *bands):
         dem, window = open_dem(str(scene.dem)), Window(10, 20, *np.shape(bands[0]))
         path, names = tmp_path / "a.b.tif", {f"band {number}": "m" for number in range(len(bands))}
-        write_layers(str(path), dem, window, names, [(window, [np.float32(band) for band in bands])], "mark")
+        layers = LayerStack(names, [(window, [np.float32(band) for band in bands])])
+        write_layers(str(path), dem, window, layers, "mark")
         dress_file(str(path), style)
         layer = QgsRasterLayer(str(path), "dressed")
         assert layer.isValid()

@@ -19,7 +19,7 @@ from skyline_viewshed.core.base.model import PhotoMetadata
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.batch import PhotoRequest, orient_request
 from skyline_viewshed.core.figures.overlay import overlay_image
-from skyline_viewshed.core.figures.raster import draw_words
+from skyline_viewshed.core.figures.raster import TypeStyle, draw_words
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
 from skyline_viewshed.core.simulate.render import render_view
@@ -69,8 +69,10 @@ def panel(dem, truth, path, title, f35, tilt_deg, weather):
     error = "no heading"
     if answer.best is not None:
         error = f"error {(answer.best.pose.heading_deg - pose.heading_deg + 180) % 360 - 180:+.1f}°"
-    draw_words(whole, 8, HEIGHT + 24, f"{title}: {answer.status}, {error}", (20, 24, 32), 19, casing_px=0, bold=True)
-    draw_words(whole, 8, HEIGHT + 48, shortened(answer.message), (70, 76, 86), 14, casing_px=0)
+    draw_words(
+        whole, 8, HEIGHT + 24, f"{title}: {answer.status}, {error}", (20, 24, 32), TypeStyle(19, casing_px=0, bold=True)
+    )
+    draw_words(whole, 8, HEIGHT + 48, shortened(answer.message), (70, 76, 86), TypeStyle(14, casing_px=0))
     return whole
 
 

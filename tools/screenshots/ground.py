@@ -18,7 +18,7 @@ from publish import save_small
 from skyline_viewshed.core.base.camera import Pose, unproject
 from skyline_viewshed.core.base.imaging import thumbnail
 from skyline_viewshed.core.base.terrain import Observer
-from skyline_viewshed.core.figures.raster import draw_words
+from skyline_viewshed.core.figures.raster import TypeStyle, draw_words
 from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
@@ -68,7 +68,7 @@ def panel(picture, words):
     large = Image.fromarray(np.rint(picture).astype(np.uint8)).resize((WIDTH - 8, height), Image.NEAREST)
     whole = np.full((height + CAPTION, WIDTH, 3), 255, np.uint8)
     whole[:height, : WIDTH - 8] = np.asarray(large)
-    draw_words(whole, 4, height + 22, words, (20, 24, 32), 16, casing_px=0, bold=True)
+    draw_words(whole, 4, height + 22, words, (20, 24, 32), TypeStyle(16, casing_px=0, bold=True))
     return whole
 
 

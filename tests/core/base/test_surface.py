@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base import surface
 from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.surface import (
     elevation_at,
     incidence_deg,
@@ -76,7 +77,9 @@ def test_a_void_has_neither_elevation_nor_normal():
 
 
 def test_sampling_distance_grows_with_depth_and_obliqueness():
-    view = open_view(tilted(east=0, north=0), Observer(0, 0, 50.0), Camera(100, 100, 200.0), Pose(0.0, -45.0), 300.0)
+    view = open_view(
+        tilted(east=0, north=0), PosedPhoto(Camera(100, 100, 200.0), Pose(0.0, -45.0), Observer(0, 0, 50.0)), 300.0
+    )
     up = tuple(np.array([v]) for v in (0.0, 0.0, 1.0))
     across, along = sampling_distance_m(view, np.zeros(1), np.array([50.0]), np.array([-50.0]), up)
     assert across[0] == pytest.approx(np.hypot(50, 50) / 200)

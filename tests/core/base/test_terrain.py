@@ -10,7 +10,6 @@ from skyline_viewshed.core.base.terrain import (
     bilinear,
     eye_elevation_m,
     ground_elevation_m,
-    read_into,
 )
 
 PLANE = np.add.outer(10.0 * np.arange(6), 3.0 * np.arange(7)).astype(np.float32)
@@ -83,8 +82,8 @@ def test_terrain_is_read_into_memory_in_any_order(step):
             out[...] = self.read(window) + 1000
 
     window, memory = Window(1, 2, 3, 4), np.zeros((9, 9), np.float32)
-    read_into(ArrayTerrain(PLANE, 1.0), window, memory[2:5, 1:5][::step])
+    ArrayTerrain(PLANE, 1.0).read_into(window, memory[2:5, 1:5][::step])
     assert np.array_equal(memory[2:5, 1:5][::step], PLANE[1:4, 2:6])
     assert memory.sum() == pytest.approx(PLANE[1:4, 2:6].sum())
-    read_into(OfItsOwn(PLANE, 1.0), window, memory[2:5, 1:5][::step])
+    OfItsOwn(PLANE, 1.0).read_into(window, memory[2:5, 1:5][::step])
     assert np.array_equal(memory[2:5, 1:5][::step], PLANE[1:4, 2:6] + 1000)

@@ -40,7 +40,20 @@ def test_the_heading_s_deviation_comes_from_its_interval_across_north_too(low, w
     assert replace(found, heading_deg=0.4) == DOUBT
 
 
-@pytest.mark.parametrize("name", ["heading_deg", "pitch_deg", "roll_deg", "focal_relative", "position_m", "dem_m"])
+@pytest.mark.parametrize(
+    "name", ["heading_deg", "pitch_deg", "roll_deg", "focal_relative", "position_m", "eye_m", "dem_m"]
+)
 def test_negative_deviations_are_refused(name):
     with pytest.raises(ValueError, match="negative"):
         replace(DOUBT, **{name: -0.1})
+
+
+def test_a_radius_of_places_gives_the_spread_along_each_axis():
+    sigma = PoseUncertainty().with_position_radius(10.0).position_m
+    places = np.random.default_rng(3).normal(0, sigma, (200_000, 2))
+    assert (np.hypot(*places.T) < 10.0).mean() == pytest.approx(0.68, abs=0.005)
+
+
+def test_a_focal_length_in_percent_is_refused():
+    with pytest.raises(ValueError, match="share"):
+        PoseUncertainty(focal_relative=1.0)

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.camera import Camera, Pose, project, project_vectors, to_camera_axes
 from skyline_viewshed.core.base.errors import ObserverOutsideDemError
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.view import open_view, outline_px
 
@@ -17,7 +18,7 @@ POSE = Pose(30.0, 2.0, 1.0)
 
 def view(pose=POSE, camera=CAMERA, elevation_m=0.0):
     terrain = ArrayTerrain(np.full((101, 101), elevation_m, np.float32), 30.0)
-    return open_view(terrain, Observer(0, 0, 50.0), camera, pose, 1500.0)
+    return open_view(terrain, PosedPhoto(camera, pose, Observer(0, 0, 50.0)), 1500.0)
 
 
 @settings(max_examples=60, deadline=None)
@@ -70,4 +71,4 @@ def test_the_wedge_holds_every_pixels_azimuth_and_is_a_circle_when_the_zenith_sh
 def test_a_place_off_the_dem_is_refused():
     terrain = ArrayTerrain(np.zeros((11, 11), np.float32), 30.0)
     with pytest.raises(ObserverOutsideDemError):
-        open_view(terrain, Observer(1.0, 1.0), CAMERA, Pose(0.0), 1000.0)
+        open_view(terrain, PosedPhoto(CAMERA, Pose(0.0), Observer(1.0, 1.0)), 1000.0)

@@ -8,7 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Window
 from skyline_viewshed.core.figures import ground as figures_ground
-from skyline_viewshed.core.figures.ground import GAP_PX, SMALLEST_M, SeenGround, ground_map, three_panels
+from skyline_viewshed.core.figures.ground import (
+    GAP_PX,
+    SMALLEST_M,
+    GroundMapOptions,
+    SeenGround,
+    ground_map,
+    three_panels,
+)
 from skyline_viewshed.core.figures.map import MapData, MapObserver
 
 
@@ -64,10 +71,10 @@ def test_strips_leave_no_seam(most_cells, strip_cells):
     terrain, window = sloping(), Window(0, 0, 90, 120)
     seen = SeenGround(window, (np.indices((90, 120)).sum(axis=0) % 7 < 4).astype(np.uint8))
     frame, eye = frame_of(terrain), [MapObserver(20.0, 70.0)]
-    whole = ground_map(terrain, frame, seen, eye, most_cells=most_cells)
+    whole = ground_map(terrain, frame, seen, eye, options=GroundMapOptions(most_cells=most_cells))
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(figures_ground, "STRIP_CELLS", strip_cells)
-        pieces = ground_map(terrain, frame, seen, eye, most_cells=most_cells)
+        pieces = ground_map(terrain, frame, seen, eye, options=GroundMapOptions(most_cells=most_cells))
     np.testing.assert_array_equal(whole.elevation_m, pieces.elevation_m)
     np.testing.assert_array_equal(whole.seen, pieces.seen)
     assert max(whole.elevation_m.shape) <= most_cells
@@ -80,7 +87,7 @@ def test_a_reduced_cell_is_the_mean_of_its_block_and_seen_where_half_of_it_is():
     values[0:2, 0:1], values[0:2, 2], values[0, 4] = 3, 255, 5
     seen = SeenGround(Window(0, 0, 90, 120), values)
     eyes = [MapObserver(0.0, 0.0), MapObserver(119.0, 89.0)]
-    data = ground_map(terrain, frame_of(terrain), seen, eyes, shown=2, most_cells=60)
+    data = ground_map(terrain, frame_of(terrain), seen, eyes, options=GroundMapOptions(2, 60))
     assert data.elevation_m[0, 0] == pytest.approx(np.mean([1001, 1010, 1011]))
     assert data.elevation_m[5, 7] == pytest.approx(terrain.elevation_m[10:12, 14:16].mean())
     assert data.seen[0, :3].tolist() == [3, 0, 0]

@@ -60,7 +60,7 @@ def test_unknown_points_break_a_line():
 
 def test_dashes_leave_gaps_of_their_length():
     pixels = blank()
-    draw.draw_line(pixels, [0, 79], [30, 30], RED, width_px=2, dash_px=(10, 10))
+    draw.draw_line(pixels, [0, 79], [30, 30], RED, width_px=2, style=draw.LineStyle((10, 10)))
     drawn = pixels[30, :, 1] < 100
     assert 0.35 < drawn.mean() < 0.7
     assert np.abs(np.diff(drawn.astype(int))).sum() >= 6
@@ -68,7 +68,7 @@ def test_dashes_leave_gaps_of_their_length():
 
 def test_a_casing_darkens_both_sides():
     pixels = blank()
-    draw.draw_line(pixels, [5, 75], [30, 30], RED, width_px=3, casing_px=2)
+    draw.draw_line(pixels, [5, 75], [30, 30], RED, width_px=3, style=draw.LineStyle(casing_px=2))
     assert pixels[27, 40].max() < 120
     assert pixels[33, 40].max() < 120
     assert np.array_equal(pixels[30, 40], RED)
@@ -86,7 +86,7 @@ def test_what_lies_outside_is_cut_without_complaint():
 
 def test_words_take_the_width_they_say():
     pixels = blank(40, 300)
-    draw.draw_words(pixels, 10, 30, "Jungfrau 4158", (0, 0, 0), size_px=18, casing_px=0)
+    draw.draw_words(pixels, 10, 30, "Jungfrau 4158", (0, 0, 0), draw.TypeStyle(18, casing_px=0))
     columns = np.flatnonzero((pixels != 200).any(axis=(0, 2)))
     assert columns.max() - columns.min() == pytest.approx(draw.words_width("Jungfrau 4158", 18), abs=5)
 

@@ -6,7 +6,7 @@ from reference.landscapes import fractal, stand, summits, write_summits
 from reference.sight_lines import horizon_by_samples
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.errors import Cancelled, NoElevationAtObserverError, ObserverOutsideDemError
-from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Terrain, Window
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 
 EARTH_M, REFRACTION = 6_371_000.0, 0.13
@@ -230,7 +230,7 @@ def test_options_out_of_range_are_refused(wrong):
         HorizonOptions(**wrong)
 
 
-class Endless:
+class Endless(Terrain):
     """A terrain of 100,000 x 100,000 cells that exists only where it is read; counts what is read at once."""
 
     shape = (100_000, 100_000)

@@ -5,11 +5,13 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.view import open_view, outline_px
 from skyline_viewshed.core.figures.panorama import (
     PanoramaFrame,
     PanoramaLabel,
+    PanoramaLayout,
     lay_out_panorama,
     panorama_pixels,
     panorama_svg,
@@ -101,10 +103,10 @@ def test_options_refuse_nonsense():
 
 def drawing(rings):
     terrain = ringed()
-    view = open_view(terrain, Observer(0, 0, 20.0), Camera(400, 300, 400.0), Pose(0.0, 5.0), 3900.0)
+    view = open_view(terrain, PosedPhoto(Camera(400, 300, 400.0), Pose(0.0, 5.0), Observer(0, 0, 20.0)), 3900.0)
     frame = PanoramaFrame("IMG <1>", *view.ray_of(*outline_px(view.camera)))
     labels = [PanoramaLabel("Ring & Co 500 m", 90.0, 9.0), PanoramaLabel("North 500 m", 0.0, 9.0)]
-    return lay_out_panorama(rings, labels, [frame], left_deg=180.0, pixels_per_degree=6.0)
+    return lay_out_panorama(rings, labels, [frame], PanoramaLayout(180.0, 6.0))
 
 
 def test_the_drawing_puts_azimuths_and_heights_in_their_places(rings):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Window, bilinear
 from skyline_viewshed.core.horizon import pieces as horizon_pieces
-from skyline_viewshed.core.horizon.pieces import one_piece, read_pieces
+from skyline_viewshed.core.horizon.pieces import one_piece, read_transient_pieces
 
 
 class Counted(ArrayTerrain):
@@ -42,7 +42,7 @@ def test_samples_are_bilinear_whatever_piece_they_come_from(shape, voids, monkey
     found = np.full((len(row), len(offsets)), np.nan)
     whole = one_piece(terrain.elevation_m, Window(0, 0, *shape), len(row))
     around = [np.clip(place[:, None] + offsets, -0.5, size - 0.5) for place, size in zip((row, col), shape)]
-    for jobs, pieces in read_pieces(terrain, row, col, 8):
+    for jobs, pieces in read_transient_pieces(terrain, row, col, 8):
         found[jobs] = pieces.elevation_m(around[0][jobs], around[1][jobs])
     np.testing.assert_array_equal(found, whole.elevation_m(*around))
     np.testing.assert_allclose(found, bilinear(terrain.elevation_m.astype(float), *around), atol=1e-3)
@@ -63,7 +63,7 @@ def test_on_a_grid_line_two_cells_tell_what_four_do(shape):
 def test_only_what_lies_around_the_places_is_read():
     terrain = Counted(rough((3000, 3000)))
     row, col = np.array([100.0, 110.0, 2500.0]), np.array([200.0, 190.0, 2600.0])
-    jobs = np.concatenate([found for found, _ in read_pieces(terrain, row, col, 8)])
+    jobs = np.concatenate([found for found, _ in read_transient_pieces(terrain, row, col, 8)])
     assert sorted(jobs) == [0, 1, 2]
     assert len(terrain.windows) == 2
     assert sum(window.rows * window.cols for window in terrain.windows) < 3000
@@ -71,5 +71,5 @@ def test_only_what_lies_around_the_places_is_read():
 
 def test_no_place_reads_nothing():
     terrain = Counted(rough((20, 20)))
-    assert list(read_pieces(terrain, np.zeros(0), np.zeros(0), 8)) == []
+    assert list(read_transient_pieces(terrain, np.zeros(0), np.zeros(0), 8)) == []
     assert terrain.windows == []

@@ -6,9 +6,10 @@ import pytest
 from reference.landscapes import summits, write_summits
 from skyline_viewshed.core.base.camera import Camera, Pose
 from skyline_viewshed.core.base.terrain import Observer
+from skyline_viewshed.core.base.viewed import ArraySink
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.io.viewshed_raster import fingerprint, read_viewshed, viewshed_once
-from skyline_viewshed.core.viewshed.viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.io.viewshed_raster import fingerprint, read_viewshed, write_viewshed
+from skyline_viewshed.core.viewshed.viewshed import PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
 
 CENTRE = (-149.5, 61.1)
 OPTIONS = ViewshedOptions(max_distance_m=5_000.0)
@@ -24,28 +25,22 @@ def observer():
     return Observer(*CENTRE, eye_elevation_m=float(summits(*CENTRE, CENTRE)) + 20)
 
 
-def test_a_repeated_run_takes_the_finished_file_and_computes_nothing(tmp_path, dem, observer):
-    mark, calls = fingerprint(dem, observer, Wedge(20.0, 60.0), OPTIONS), []
-
-    def compute():
-        calls.append(1)
-        return viewshed(dem, observer, Wedge(20.0, 60.0), OPTIONS)
-
-    path = str(tmp_path / "photo.tif")
-    first, computed = viewshed_once(path, dem, mark, compute)
-    assert computed
-    again, computed = viewshed_once(path, dem, mark, compute)
-    assert not computed
-    assert len(calls) == 1
-    assert again.window == first.window
-    assert np.array_equal(again.values, first.values)
-    assert np.array_equal(again.visible, first.visible)
+@pytest.mark.parametrize("sink", [ArraySink, PackedSink])
+def test_a_finished_file_gives_its_values_back(tmp_path, dem, observer, sink):
+    mark, path = fingerprint(dem, observer, Wedge(20.0, 60.0), OPTIONS), str(tmp_path / "photo.tif")
+    seen = viewshed(dem, observer, Wedge(20.0, 60.0), OPTIONS)
+    assert seen.visible.any()
+    write_viewshed(path, seen, dem, mark)
+    window, values = read_viewshed(path, dem, mark, sink)
+    assert window == seen.window
+    assert np.array_equal(values[:, :], seen.values)
 
 
 def test_a_file_cut_short_or_of_other_facts_is_not_taken(tmp_path, dem, observer):
     path, mark = str(tmp_path / "photo.tif"), "a" * 32
     assert read_viewshed(path, dem, mark) is None
-    viewshed_once(path, dem, mark, lambda: viewshed(dem, observer, Wedge(20.0, 60.0), OPTIONS))
+    write_viewshed(path, viewshed(dem, observer, Wedge(20.0, 60.0), OPTIONS), dem, mark)
+    assert read_viewshed(path, dem, mark) is not None
     assert read_viewshed(path, dem, "b" * 32) is None
     with open(path, "r+b") as file:
         file.truncate(os.path.getsize(path) // 2)
@@ -55,12 +50,14 @@ def test_a_file_cut_short_or_of_other_facts_is_not_taken(tmp_path, dem, observer
     assert read_viewshed(path, dem, mark) is None
 
 
-def test_a_run_that_dies_leaves_no_file(tmp_path, dem):
-    def die():
-        raise KeyboardInterrupt
+def test_a_run_that_dies_while_it_writes_leaves_no_file(tmp_path, dem, observer):
+    class Dying:
+        def __getitem__(self, place):
+            raise KeyboardInterrupt
 
+    seen = replace(viewshed(dem, observer, Wedge(20.0, 60.0), OPTIONS), values=Dying())
     with pytest.raises(KeyboardInterrupt):
-        viewshed_once(str(tmp_path / "photo.tif"), dem, "a" * 32, die)
+        write_viewshed(str(tmp_path / "photo.tif"), seen, dem, "a" * 32)
     assert list(tmp_path.iterdir()) == []
 
 

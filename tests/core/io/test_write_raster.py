@@ -9,7 +9,7 @@ from skyline_viewshed.core.base.errors import OutputError
 from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io import write_raster as module
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.io.write_raster import new_raster, write_raster
+from skyline_viewshed.core.io.write_raster import RasterLayout, new_raster, write_raster
 from skyline_viewshed.demo.dem_file import write_dem
 
 
@@ -30,9 +30,7 @@ def test_values_window_and_header_come_back(tmp_path, dem, dtype):
         values,
         dem,
         window,
-        nodata=255,
-        descriptions=["seen", "times"],
-        metadata={"METHOD": "robust"},
+        RasterLayout(nodata=255, descriptions=["seen", "times"], metadata={"METHOD": "robust"}),
     )
     found = gdal.Open(str(tmp_path / "out.tif"))
     assert np.array_equal(found.ReadAsArray(), values)
@@ -75,7 +73,7 @@ def test_a_cancelled_or_broken_run_leaves_nothing_and_keeps_the_old_file(tmp_pat
     write_raster(path, np.ones(dem.shape, np.uint8), dem)
     before = path.read_bytes()
     for stop in (KeyboardInterrupt, ValueError):
-        with pytest.raises(stop), new_raster(path, dem, dtype="uint8") as file:
+        with pytest.raises(stop), new_raster(path, dem, layout=RasterLayout("uint8")) as file:
             file.write(np.zeros((10, 400), np.uint8))
             raise stop
         assert path.read_bytes() == before
@@ -83,7 +81,7 @@ def test_a_cancelled_or_broken_run_leaves_nothing_and_keeps_the_old_file(tmp_pat
 
 
 def test_nothing_has_the_final_name_before_the_end(tmp_path, dem):
-    with new_raster(tmp_path / "out.tif", dem, dtype="uint8") as file:
+    with new_raster(tmp_path / "out.tif", dem, layout=RasterLayout("uint8")) as file:
         file.write(np.zeros(dem.shape, np.uint8))
         assert not (tmp_path / "out.tif").exists()
     assert (tmp_path / "out.tif").exists()

@@ -5,19 +5,26 @@ from itertools import combinations
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
 from skyline_viewshed.core.base.view import open_view
+from skyline_viewshed.core.base.viewed import Viewshed
 from skyline_viewshed.core.mapping.coverage import Coverage
 
 TERRAIN = ArrayTerrain(np.zeros((60, 80), np.float32), 10.0)
-VIEW = open_view(TERRAIN, Observer(0, 0, 100.0), Camera(400, 300, 300.0), Pose(0.0, -45.0), 900.0)
+VIEW = open_view(TERRAIN, PosedPhoto(Camera(400, 300, 300.0), Pose(0.0, -45.0), Observer(0, 0, 100.0)), 900.0)
 WINDOW = Window(0, 0, 60, 80)
+
+
+def seen_ground(mask, window=WINDOW):
+    """A viewshed as far as the coverage asks of it."""
+    return Viewshed(window, mask.astype(np.uint8), None, 0.0, None, None)
 
 
 def covered(masks, area=None):
     coverage = Coverage(WINDOW, area)
     for k, mask in enumerate(masks):
-        coverage.add(f"photo {k}", TERRAIN, VIEW, mask, WINDOW)
+        coverage.add(f"photo {k}", TERRAIN, VIEW, seen_ground(mask))
     return coverage
 
 
@@ -35,11 +42,11 @@ def test_counts_add_up_and_the_rest_is_blind():
 
 
 def test_the_best_sampling_distance_is_the_nearest_photos():
-    near = open_view(TERRAIN, Observer(0, 0, 50.0), Camera(400, 300, 300.0), Pose(0.0, -45.0), 900.0)
+    near = open_view(TERRAIN, PosedPhoto(Camera(400, 300, 300.0), Pose(0.0, -45.0), Observer(0, 0, 50.0)), 900.0)
     coverage = Coverage(WINDOW)
-    coverage.add("far", TERRAIN, VIEW, box(15, 25, 30, 50), WINDOW)
+    coverage.add("far", TERRAIN, VIEW, seen_ground(box(15, 25, 30, 50)))
     first = coverage.best_gsd_m.copy()
-    coverage.add("near", TERRAIN, near, box(15, 20, 30, 50), WINDOW)
+    coverage.add("near", TERRAIN, near, seen_ground(box(15, 20, 30, 50)))
     assert (coverage.best_gsd_m[15:20, 30:50] < first[15:20, 30:50]).all()
     assert np.array_equal(coverage.best_gsd_m[20:25, 30:50], first[20:25, 30:50])
 
@@ -47,9 +54,9 @@ def test_the_best_sampling_distance_is_the_nearest_photos():
 def test_viewsheds_of_other_windows_are_put_in_place():
     coverage = Coverage(Window(10, 20, 30, 40))
     seen = np.ones((20, 20), bool)
-    assert coverage.add("a", TERRAIN, VIEW, seen, Window(0, 10, 20, 20)) == 10 * 10
+    assert coverage.add("a", TERRAIN, VIEW, seen_ground(seen, Window(0, 10, 20, 20))) == 10 * 10
     assert coverage.count[:10, :10].all() and coverage.count.sum() == 100
-    assert coverage.add("b", TERRAIN, VIEW, np.ones((5, 5), bool), Window(50, 70, 5, 5)) == 0
+    assert coverage.add("b", TERRAIN, VIEW, seen_ground(np.ones((5, 5), bool), Window(50, 70, 5, 5))) == 0
 
 
 def fewest_by_trying(masks):

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose
 from skyline_viewshed.core.base.frame import tabulate_frame
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
 from skyline_viewshed.core.base.view import open_view
+from skyline_viewshed.core.base.viewed import Viewshed
 from skyline_viewshed.core.mapping.drape import Mosaic, build_picture_pyramid, drape_photo
 from skyline_viewshed.core.mapping.monoplot import place_pixels
 
@@ -19,11 +21,16 @@ def plane():
 
 def view_of(terrain, pose=None, eye_m=60.0):
     pose = pose or Pose(0.0, -30.0)
-    return open_view(terrain, Observer(0, 0, eye_m), CAMERA, pose, 500.0)
+    return open_view(terrain, PosedPhoto(CAMERA, pose, Observer(0, 0, eye_m)), 500.0)
 
 
 def whole():
     return Window(0, 0, SIZE, SIZE)
+
+
+def seen_ground(mask, window):
+    """A viewshed as far as draping asks of it."""
+    return Viewshed(window, mask.astype(np.uint8), None, 0.0, None, None)
 
 
 def stripes():
@@ -35,7 +42,7 @@ def stripes():
 def draped(terrain, view, picture, seen=None, refine=1, mosaic=None):
     mosaic = mosaic or Mosaic(whole(), refine)
     seen = np.ones((SIZE, SIZE), bool) if seen is None else seen
-    count = drape_photo(mosaic, terrain, view, build_picture_pyramid(picture), seen, whole())
+    count = drape_photo(mosaic, terrain, view, build_picture_pyramid(picture), seen_ground(seen, whole()))
     return mosaic, count, *mosaic.read(0, mosaic.shape[0])
 
 
@@ -119,11 +126,11 @@ def test_a_reduced_copy_of_the_picture_gives_the_same_colours():
 def test_only_touched_tiles_take_memory():
     big = 2000
     terrain = ArrayTerrain(np.zeros((big, big), np.float32), 2.0)
-    view = open_view(terrain, Observer(0, 0, 60.0), CAMERA, Pose(0.0, -30.0), 500.0)
+    view = open_view(terrain, PosedPhoto(CAMERA, Pose(0.0, -30.0), Observer(0, 0, 60.0)), 500.0)
     seen = np.zeros((big, big), bool)
     seen[930:950, 990:1010] = True
     mosaic = Mosaic(Window(0, 0, big, big))
-    drape_photo(mosaic, terrain, view, build_picture_pyramid(stripes()), seen, Window(0, 0, big, big))
+    drape_photo(mosaic, terrain, view, build_picture_pyramid(stripes()), seen_ground(seen, Window(0, 0, big, big)))
     assert 1 <= len(mosaic.tiles) <= 2
     rgba, gsd = mosaic.read(900, 100)
     assert rgba.shape == (100, big, 4) and gsd.shape == (2, 100, big)

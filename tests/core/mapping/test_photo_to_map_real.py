@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px, focal_of_fov_px
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.monoplot import place_pixels
 from skyline_viewshed.core.mapping.peaks import own_ground_m, snap_to_summit
-from skyline_viewshed.core.mapping.projecting import OUTSIDE, VISIBLE, project_places
+from skyline_viewshed.core.mapping.projecting import Places, PlaceState, project_places
 
 pytestmark = pytest.mark.data
 
@@ -141,7 +142,7 @@ def aletsch(shared_data):
     lat, lon, eye, hfov = numbers(row, "latitude_deg", "longitude_deg", "height_orthometric_m", "given_hfov_deg")
     camera = Camera(*size, focal_of_fov_px(size[0], hfov))
     pose = Pose(*numbers(row, "heading_deg", "pitch_deg", "roll_deg"))
-    view = open_view(dem, Observer(lon, lat, eye_elevation_m=eye), camera, pose, 15_000.0)
+    view = open_view(dem, PosedPhoto(camera, pose, Observer(lon, lat, eye_elevation_m=eye)), 15_000.0)
     with open(folder / "gcps.csv", encoding="utf-8") as file:
         points = np.array([[float(v) for v in r.values()] for r in csv.DictReader(file)])
     x0, dx, _, y0, _, dy = dem.geotransform
@@ -151,12 +152,12 @@ def aletsch(shared_data):
 
 def test_the_control_points_of_aletsch_are_met_within_the_residual_of_the_known_pose(aletsch):
     dem, view, points, east, north = aletsch
-    shown = project_places(dem, view, east, north, points[:, 4])
+    shown = project_places(dem, view, Places(east, north, points[:, 4]))
     off = np.hypot(shown.x_px - points[:, 0], shown.y_px - points[:, 1])
     # The pose is good to about 1 degree, which is 16 pixels of this picture.
     per_degree = view.camera.focal_px * np.radians(1)
     assert np.median(off) < 0.6 * per_degree and off.max() < 1.5 * per_degree
-    assert (shown.state != OUTSIDE).all() and (shown.state == VISIBLE).sum() >= 8
+    assert (shown.state != PlaceState.OUTSIDE).all() and (shown.state == PlaceState.VISIBLE).sum() >= 8
 
 
 def test_the_pixels_of_aletsch_land_near_their_control_points(aletsch):
@@ -181,7 +182,7 @@ def khumbu_view(shared_data, photo, row):
     camera = Camera(*size, focal_from_35mm_px(*size, float(row["focal_length_35mm"])))
     pose = Pose(*numbers(row, "heading_deg", "pitch_deg", "roll_deg"))
     place = numbers(row, "longitude_deg", "latitude_deg")
-    return dem, open_view(dem, Observer(*place), camera, pose, 60_000.0)
+    return dem, open_view(dem, PosedPhoto(camera, pose, Observer(*place)), 60_000.0)
 
 
 @pytest.mark.parametrize(
@@ -204,7 +205,7 @@ def test_the_named_summits_of_the_khumbu_are_found_in_their_photos(shared_data, 
         east, north = view.frame.to_local(*dem.pixel_of(longitude, latitude))
         east, north, top = snap_to_summit(dem, view.frame, float(east), float(north), height)
         shown = project_places(
-            dem, view, np.array([east]), np.array([north]), np.array([float(height)]), own_ground_m=own
+            dem, view, Places(np.array([east]), np.array([north]), np.array([float(height)]), own_ground_m=own)
         )
         if shown.visible[0]:
             seen.add(name)

@@ -3,13 +3,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.projecting import (
-    HIDDEN,
-    OUTSIDE,
-    UNKNOWN,
-    VISIBLE,
+    Places,
+    PlaceState,
     densify,
     project_line,
     project_places,
@@ -30,7 +29,7 @@ def stepped():
 
 
 def looking_north(terrain, eye_m=20.0, pitch_deg=0.0):
-    return open_view(terrain, Observer(0, 0, eye_m), CAMERA, Pose(0.0, pitch_deg), 2500.0)
+    return open_view(terrain, PosedPhoto(CAMERA, Pose(0.0, pitch_deg), Observer(0, 0, eye_m)), 2500.0)
 
 
 def test_places_before_on_and_behind_a_wall_and_beside_the_frame():
@@ -38,8 +37,14 @@ def test_places_before_on_and_behind_a_wall_and_beside_the_frame():
     view = looking_north(terrain)
     north = np.array([150.0, 290.0, 600.0, 0.0, -300.0])
     east = np.array([0.0, 0.0, 0.0, 500.0, 0.0])
-    shown = project_places(terrain, view, east, north)
-    assert shown.state.tolist() == [VISIBLE, VISIBLE, HIDDEN, OUTSIDE, OUTSIDE]
+    shown = project_places(terrain, view, Places(east, north))
+    assert shown.state.tolist() == [
+        PlaceState.VISIBLE,
+        PlaceState.VISIBLE,
+        PlaceState.HIDDEN,
+        PlaceState.OUTSIDE,
+        PlaceState.OUTSIDE,
+    ]
     assert shown.x_px[0] == pytest.approx(CAMERA.centre_px[0])
     assert shown.y_px[0] == pytest.approx(CAMERA.centre_px[1] + 500 * 20 / 150, rel=1e-3)
     assert np.isfinite(shown.x_px[2]) and np.isnan(shown.x_px[4])
@@ -50,14 +55,16 @@ def test_a_tower_behind_the_wall_is_seen_when_it_is_high_enough():
     terrain = stepped()
     view = looking_north(terrain)
     # The line of sight over the wall's near crest (290 m, 40 m) stands at 20 + 600 * 20 / 290 = 61 m at 600 m.
-    shown = project_places(terrain, view, np.zeros(2), np.full(2, 600.0), height_above_m=np.array([55.0, 70.0]))
-    assert shown.state.tolist() == [HIDDEN, VISIBLE]
+    shown = project_places(terrain, view, Places(np.zeros(2), np.full(2, 600.0), height_above_m=np.array([55.0, 70.0])))
+    assert shown.state.tolist() == [PlaceState.HIDDEN, PlaceState.VISIBLE]
 
 
 def test_all_round_asks_behind_the_camera_too():
     terrain = stepped()
-    shown = project_places(terrain, looking_north(terrain), np.zeros(2), np.array([-500.0, 600.0]), all_round=True)
-    assert shown.state.tolist() == [VISIBLE, HIDDEN]
+    shown = project_places(
+        terrain, looking_north(terrain), Places(np.zeros(2), np.array([-500.0, 600.0])), all_round=True
+    )
+    assert shown.state.tolist() == [PlaceState.VISIBLE, PlaceState.HIDDEN]
     assert shown.azimuth_deg[0] == pytest.approx(180)
 
 
@@ -69,11 +76,11 @@ def test_places_off_the_dem_in_voids_or_out_of_range_are_not_claimed():
     terrain = ArrayTerrain(z, 10.0)
     view = looking_north(terrain, eye_m=5.0)
     shown = project_places(
-        terrain, view, np.zeros(4), np.array([145.0, 250.0, 100.0, 2300.0]), options=SightOptions(max_distance_m=2000.0)
+        terrain, view, Places(np.zeros(4), np.array([145.0, 250.0, 100.0, 2300.0])), SightOptions(max_distance_m=2000.0)
     )
-    assert shown.state.tolist() == [UNKNOWN, UNKNOWN, VISIBLE, OUTSIDE]
-    beyond = project_places(terrain, view, np.zeros(1), np.array([2300.0]))
-    assert beyond.state[0] == UNKNOWN
+    assert shown.state.tolist() == [PlaceState.UNKNOWN, PlaceState.UNKNOWN, PlaceState.VISIBLE, PlaceState.OUTSIDE]
+    beyond = project_places(terrain, view, Places(np.zeros(1), np.array([2300.0])))
+    assert beyond.state[0] == PlaceState.UNKNOWN
 
 
 def test_a_published_height_above_or_below_the_dem_does_not_hide_a_summit():
@@ -81,8 +88,8 @@ def test_a_published_height_above_or_below_the_dem_does_not_hide_a_summit():
     cone = np.maximum(500 - 0.5 * np.hypot((row - 60) * 10, (col - 100) * 10), 0).astype(np.float32)
     terrain = ArrayTerrain(cone, 10.0)
     view = looking_north(terrain, 10.0, 20.0)
-    shown = project_places(terrain, view, np.zeros(3), np.full(3, 400.0), np.array([540.0, 500.0, 440.0]))
-    assert shown.state.tolist() == [VISIBLE] * 3
+    shown = project_places(terrain, view, Places(np.zeros(3), np.full(3, 400.0), np.array([540.0, 500.0, 440.0])))
+    assert shown.state.tolist() == [PlaceState.VISIBLE] * 3
     assert np.diff(shown.y_px).min() > 0
 
 
@@ -97,10 +104,10 @@ def test_points_and_viewshed_give_one_answer():
         pose = Pose(heading, -15.0, 2.0)
         ground = viewshed(terrain, observer, PhotoFrame(camera, pose), ViewshedOptions(max_distance_m=6000.0))
         row, col = (random.integers(0, side, 2000) for side in ground.values.shape)
-        view = open_view(terrain, observer, camera, pose, 6000.0)
+        view = open_view(terrain, PosedPhoto(camera, pose, observer), 6000.0)
         east, north = view.frame.to_local(col + ground.window.col, row + ground.window.row)
         far = np.hypot(east, north) > 10 * terrain.cell_m
-        shown = project_places(terrain, view, east[far], north[far], options=SightOptions(max_distance_m=6000.0))
+        shown = project_places(terrain, view, Places(east[far], north[far]), SightOptions(max_distance_m=6000.0))
         viewshed_says = ground.visible[row, col][far]
         seen += viewshed_says.sum()
         agree.append(shown.visible == viewshed_says)
@@ -112,13 +119,13 @@ def test_points_and_viewshed_give_one_answer():
 def test_a_line_is_cut_where_it_goes_behind_and_out_of_frame():
     terrain = stepped()
     view = looking_north(terrain)
-    runs = project_line(terrain, view, np.array([0.0, 0.0]), np.array([-100.0, 900.0]))
+    runs = project_line(terrain, view, Places(np.array([0.0, 0.0]), np.array([-100.0, 900.0])))
     states = [run.state for run in runs]
-    assert states[0] == OUTSIDE and VISIBLE in states and states[-1] == HIDDEN
+    assert states[0] == PlaceState.OUTSIDE and PlaceState.VISIBLE in states and states[-1] == PlaceState.HIDDEN
     shares = [run.share for run in runs]
     assert shares[0][0] == 0 and shares[-1][1] == 1
     assert all(a[1] == b[0] for a, b in zip(shares[:-1], shares[1:]))
-    hidden = next(run for run in runs if run.state == HIDDEN)
+    hidden = next(run for run in runs if run.state == PlaceState.HIDDEN)
     assert hidden.share[0] == pytest.approx(0.4, abs=0.02)  # the wall stands at 300 of -100 to 900 m
     assert np.median(np.hypot(np.diff(hidden.x_px), np.diff(hidden.y_px))) < 2
 

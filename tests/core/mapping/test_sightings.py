@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.projecting import sample_area
@@ -22,7 +23,7 @@ def point(east, north):
 
 
 def north_view(terrain, pitch_deg=-10.0):
-    return open_view(terrain, Observer(0, 0, 20.0), CAMERA, Pose(0.0, pitch_deg), 2500.0)
+    return open_view(terrain, PosedPhoto(CAMERA, Pose(0.0, pitch_deg), Observer(0, 0, 20.0)), 2500.0)
 
 
 def test_seen_places_come_best_first_and_hidden_ones_not_at_all():
@@ -35,7 +36,7 @@ def test_seen_places_come_best_first_and_hidden_ones_not_at_all():
 
 def test_the_numbers_of_a_point_follow_from_the_geometry():
     terrain = walled()
-    view = open_view(terrain, Observer(0, 0, 100.0), CAMERA, Pose(0.0, -45.0), 2500.0)
+    view = open_view(terrain, PosedPhoto(CAMERA, Pose(0.0, -45.0), Observer(0, 0, 100.0)), 2500.0)
     (seen,) = find_sightings(terrain, view, [point(0, 100)])
     slant = np.sqrt(2) * 100
     assert (seen.visible_share, seen.framed_share) == (1, 1)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.camera import Camera, Pose
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
-from skyline_viewshed.core.simulate.cast import TerrainPatch
+from skyline_viewshed.core.simulate.patch import TerrainPatch
 from skyline_viewshed.core.simulate.render import render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.simulate.shading import Ground, Relief, cosine, shade_ground, sun_vector

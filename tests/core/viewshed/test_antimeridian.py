@@ -7,6 +7,7 @@ import pytest
 from osgeo import gdal, ogr, osr
 from reference.landscapes import fractal
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import Observer, Window
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.horizon.sky_view import SkyViewOptions, sky_view_raster
@@ -105,8 +106,8 @@ def test_layers_horizon_probabilities_and_sky_views_are_the_same(ground, crs, ce
     eye = Observer(longitude, LATITUDE, eye_elevation_m=EYE_M)
     frame = SECTORS["frame"]
     for (_, ours), (_, theirs) in zip(
-        layers(there, viewshed(there, eye, frame, OPTIONS), CAMERA, frame.pose),
-        layers(home, viewshed(home, at_home(shift), frame, OPTIONS), CAMERA, frame.pose),
+        layers(there, viewshed(there, eye, frame, OPTIONS), PosedPhoto(CAMERA, frame.pose, eye)),
+        layers(home, viewshed(home, at_home(shift), frame, OPTIONS), PosedPhoto(CAMERA, frame.pose, eye)),
     ):
         np.testing.assert_allclose(ours["distance_m"], theirs["distance_m"], atol=0.05)
         np.testing.assert_allclose(ours["column_px"], theirs["column_px"], atol=0.5, rtol=1e-3)
@@ -114,7 +115,7 @@ def test_layers_horizon_probabilities_and_sky_views_are_the_same(ground, crs, ce
     ours, theirs = horizon_profile(there, eye, options), horizon_profile(home, at_home(shift), options)
     np.testing.assert_allclose(ours.elevation_deg, theirs.elevation_deg, atol=1e-4)
     chances = [
-        visibility_probability(dem, place, CAMERA, frame.pose, options=OPTIONS)
+        visibility_probability(dem, PosedPhoto(CAMERA, frame.pose, place), OPTIONS)
         for dem, place in ((there, eye), (home, at_home(shift)))
     ]
     assert chances[0].window == chances[1].window

@@ -3,6 +3,7 @@ import pytest
 from reference.landscapes import fractal, stand
 from reference.sight_lines import bilinear_at, crossings, tangent
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame
+from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.viewshed.layers import clearance, layers, terrain_share
 from skyline_viewshed.core.viewshed.viewshed import PhotoFrame, ViewshedOptions, Wedge, viewshed
@@ -58,7 +59,7 @@ def test_raising_the_target_by_the_missing_height_makes_it_seen(scene):
 def test_layers_give_true_distance_bearing_angle_and_pixel(scene):
     terrain, observer = scene
     seen = viewshed(terrain, observer, PhotoFrame(CAMERA, POSE))
-    strips = list(layers(terrain, seen, CAMERA, POSE))
+    strips = list(layers(terrain, seen, PosedPhoto(CAMERA, POSE, observer)))
     values = {name: np.concatenate([strip[name] for _, strip in strips]) for name in strips[0][1]}
     assert values["distance_m"].shape == seen.values.shape
     row, col = np.nonzero(seen.visible)

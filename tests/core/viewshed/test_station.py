@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from reference.landscapes import fractal, stand
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.terrain import Terrain
 from skyline_viewshed.core.viewshed.station import AnyOf, station_viewsheds
 from skyline_viewshed.core.viewshed.viewshed import FullCircle, PhotoFrame, ViewshedOptions, Wedge, viewshed
 
@@ -28,7 +29,7 @@ def test_the_ground_is_read_for_one_sweep_only():
     terrain, observer = stand(fractal(301, seed=5), 30.0, 150, 150, 30.0)
     read = []
 
-    class Counting:
+    class Counting(Terrain):
         shape, frame = terrain.shape, terrain.frame
 
         def read(self, window):

@@ -8,7 +8,8 @@ from reference.views import UNKNOWN, look, overlap, spread
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame, project
 from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError
 from skyline_viewshed.core.base.frame import tabulate_frame
-from skyline_viewshed.core.base.terrain import Observer, Window
+from skyline_viewshed.core.base.terrain import Observer, Terrain, Window
+from skyline_viewshed.core.base.viewed import Sink
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.viewshed.viewshed import PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
 
@@ -241,9 +242,7 @@ def test_the_result_does_not_depend_on_the_piece_of_raster_that_is_at_hand():
 
 
 def test_a_sink_takes_the_same_result_piece_by_piece():
-    class Pieces:
-        dtype, wants_clearance = np.dtype(np.uint8), False
-
+    class Pieces(Sink):
         def __init__(self, window):
             self.window, self.count = window, 0
             self.whole = np.zeros((window.rows, window.cols), np.uint8)
@@ -344,7 +343,7 @@ def test_the_viewshed_ends_at_the_horizon():
 
 
 def test_a_virtual_raster_of_ten_gigapixels_is_read_in_pieces_and_only_in_range():
-    class Endless:
+    class Endless(Terrain):
         shape = (100_000, 100_000)
         most = total = 0
 

@@ -1,0 +1,207 @@
+"""Points of a layer, read into posed photographs: by field values here, and nowhere else."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from qgis.core import QgsFeature
+
+from ...core.base.camera import Camera, Pose, focal_of_fov_px
+from ...core.base.posed import PosedPhoto
+from ...core.base.terrain import Observer
+from ...core.base.uncertainty import PoseUncertainty
+from .fields import number_or_none
+
+NOMINAL_WIDTH_PX = 4000
+"""Width of a picture of which only the fields of view are known; fine enough that its edges fall within a cell."""
+
+POSE_FIELDS = {
+    "HEADING_FIELD": "heading",
+    "PITCH_FIELD": "pitch",
+    "ROLL_FIELD": "roll",
+    "HFOV_FIELD": "hfov",
+    "VFOV_FIELD": "vfov",
+    "HEIGHT_FIELD": "eye_z",
+}
+"""Parameter and the field that `orientphotos` writes."""
+
+INTERVAL_FIELDS = {"HEADING_LO_FIELD": "heading_lo", "HEADING_HI_FIELD": "heading_hi"}
+"""The same for the ends of the heading's 90 % interval."""
+
+ACCURACY_FIELD = "h_acc"
+"""Radius that holds the true position with probability 0.68, as importers write it [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class PhotoPoint:
+    """A point of a layer and the photograph that it stands for, as far as the point tells of it.
+
+    Attributes
+    ----------
+    feature : QgsFeature
+    name : str
+        For messages and file names.
+    path : str or None
+        Of the photograph.
+    observer : Observer or None
+        None without a usable position.
+    heading_deg, hfov_deg, vfov_deg : float or None
+        As the point has them; a heading wedge needs no more [degrees].
+    posed : PosedPhoto or None
+        None where position, pose or lens is not known.
+    skyline_row_px : (width_px,) array or None
+        The photograph's own skyline, above which no ground is claimed; see `PhotoFrame`.
+    skyline_tolerance_deg : float
+    """
+
+    feature: QgsFeature
+    name: str
+    path: str | None
+    observer: Observer | None
+    heading_deg: float | None = None
+    hfov_deg: float | None = None
+    vfov_deg: float | None = None
+    posed: PosedPhoto | None = None
+    skyline_row_px: Any = None
+    skyline_tolerance_deg: float = 0.0
+
+    @property
+    def source_id(self):
+        """Id of the feature."""
+        return self.feature.id()
+
+    @property
+    def key(self):
+        """What tells it from all other points of a run."""
+        return self.source_id, self.path
+
+
+@dataclass(frozen=True)
+class PoseReading:
+    """What stands in for values that a point does not have.
+
+    Attributes
+    ----------
+    eye_height_m : float
+        Above the DEM, for points without an elevation of the eye [m].
+    uncertainty : PoseUncertainty
+        Bettered by what a point says of its heading's interval and its position's accuracy.
+    level : bool
+        An unknown pitch is 0, and an unknown vertical field of view that of a picture of 4 by 3. Otherwise a point
+        without them has no pose.
+    """
+
+    eye_height_m: float = 1.7
+    uncertainty: PoseUncertainty = field(default_factory=PoseUncertainty)
+    level: bool = False
+
+
+def value_of(feature, name):
+    """Finite number of a feature's field, or None where the field is missing or NULL."""
+    if not name or feature.fields().lookupField(name) < 0:
+        return None
+    return number_or_none(feature[name])
+
+
+def pose_values(feature, fields=POSE_FIELDS):
+    """Numbers of a point by parameter, from the fields that the parameters name; see `photo_point`."""
+    names = {**INTERVAL_FIELDS, **fields, ACCURACY_FIELD: ACCURACY_FIELD}
+    return {key: value_of(feature, name) for key, name in names.items()}
+
+
+def photo_point(row, values, reading, path=None, size_px=None):
+    """Read one point.
+
+    Parameters
+    ----------
+    row : PointRow
+    values : dict
+        Number or None of each of `POSE_FIELDS`, and of those of `INTERVAL_FIELDS` and of `ACCURACY_FIELD` that count.
+    reading : PoseReading
+    path : str or None
+        Of the photograph.
+    size_px : (width, height) or None
+        Of the upright picture, where it is known [pixels].
+
+    Returns
+    -------
+    PhotoPoint
+    """
+    observer = None
+    if row.longitude_deg is not None:
+        observer = Observer(row.longitude_deg, row.latitude_deg, reading.eye_height_m, values["HEIGHT_FIELD"])
+    heading, hfov, vfov = (values[key] for key in ("HEADING_FIELD", "HFOV_FIELD", "VFOV_FIELD"))
+    pose, camera = _pose(values, reading), pinhole(hfov, vfov, size_px)
+    if vfov is None and not reading.level:
+        camera = None
+    posed = None
+    if None not in (observer, pose, camera):
+        posed = PosedPhoto(camera, pose, observer, _uncertainty(values, reading.uncertainty), path)
+    return PhotoPoint(row.feature, row.name, path, observer, heading, hfov, vfov, posed)
+
+
+def _pose(values, reading):
+    heading, pitch = values["HEADING_FIELD"], values["PITCH_FIELD"]
+    if heading is None or (pitch is None and not reading.level):
+        return None
+    return Pose(heading, pitch or 0.0, values["ROLL_FIELD"] or 0.0)
+
+
+def _uncertainty(values, usual):
+    low, high = (values.get(key) for key in INTERVAL_FIELDS)
+    radius_m = values.get(ACCURACY_FIELD)
+    if low is not None and high is not None:
+        usual = usual.with_heading_interval(low, high)
+    return usual.with_position_radius(radius_m) if radius_m is not None and radius_m > 0 else usual
+
+
+def pinhole(hfov_deg, vfov_deg=None, size_px=None):
+    """Camera with these fields of view, or None where the horizontal one is unknown or no angle of a view.
+
+    Parameters
+    ----------
+    hfov_deg, vfov_deg : float or None
+        [degrees].
+    size_px : (width, height) or None
+        Of the picture; a height of None, or no size at all, follows from the vertical field of view [pixels].
+    """
+    if not is_field_of_view(hfov_deg):
+        return None
+    width, height = size_px or (NOMINAL_WIDTH_PX, None)
+    width = max(round(width), 1)
+    if height is None:
+        known = is_field_of_view(vfov_deg)
+        height = focal_of_fov_px(width, hfov_deg) / focal_of_fov_px(1.0, vfov_deg) if known else 0.75 * width
+    return Camera(width, max(round(height), 1), focal_of_fov_px(width, hfov_deg))
+
+
+def is_field_of_view(angle_deg):
+    """Whether an angle is known, and one that a picture can show."""
+    return angle_deg is not None and 0 < angle_deg < 180
+
+
+def oriented_point(row, oriented, usual):
+    """Give the point of a photo just oriented, with its whole camera.
+
+    Parameters
+    ----------
+    row : PointRow
+    oriented : OrientedPhoto
+    usual : PoseUncertainty
+        What is unsure beside the heading.
+    """
+    posed, camera = oriented.view, oriented.camera
+    if posed is not None:
+        posed = replace(posed, uncertainty=replace(usual, heading_deg=posed.uncertainty.heading_deg))
+    return PhotoPoint(
+        row.feature,
+        Path(oriented.path).name if oriented.path else row.name,
+        oriented.path or None,
+        None if posed is None else posed.observer,
+        None if posed is None else posed.pose.heading_deg,
+        None if camera is None else camera.hfov_deg,
+        None if camera is None else camera.vfov_deg,
+        posed,
+    )

@@ -1,0 +1,107 @@
+"""The result of a viewshed, and the array that collects it: what engine, files, figures and shells exchange."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .frame import LocalFrame
+from .terrain import Window
+
+VISIBLE, UNKNOWN = 1, 255
+"""Values of a cell that is seen, and of one of which that is not known; 0 is all else."""
+
+
+@dataclass(frozen=True, eq=False)
+class Viewshed:
+    """Which cells are seen.
+
+    Attributes
+    ----------
+    window : Window
+        Part of the raster that the values cover; outside it nothing is in the sector.
+    values : (rows, cols) uint8 array, or what reads like one
+        1 seen; 0 not seen or outside sector and range; 255 unknown (no data there, or between there and the eye).
+        What the caller's sink holds, where there is one.
+    frame : LocalFrame
+        True directions and distances of the cells.
+    eye_elevation_m : float
+    options : core.viewshed.viewshed.ViewshedOptions
+    sector : core.viewshed.sector.Sector
+    """
+
+    window: Window
+    values: Any
+    frame: LocalFrame
+    eye_elevation_m: float
+    options: Any
+    sector: Any
+
+    @property
+    def visible(self) -> np.ndarray:
+        """(rows, cols) bool: cells that are certainly seen."""
+        return self.values == VISIBLE
+
+
+class Sink:
+    """Takes the results of a sweep cell by cell; one of one's own (a file) derives from this class.
+
+    Every cell is given once, so that adding is writing.
+
+    Attributes
+    ----------
+    dtype : numpy.dtype
+        Of the values given: uint8 for `VISIBLE` and `UNKNOWN`, uint32 with the marks of several sectors, a float
+        type for heights above the line of sight.
+    wants_clearance : bool
+        Heights above the line of sight are wanted rather than seen or not seen.
+    values : (rows, cols) array, or what reads like one, or None
+        The results, where they are in memory.
+    """
+
+    dtype = np.dtype(np.uint8)
+    wants_clearance = False
+    values: Any = None
+
+    def add(self, window: Window, values: np.ndarray) -> None:
+        """Add values of a window of the raster."""
+        raise NotImplementedError
+
+    def set(self, row: int, col: int, value: int) -> None:
+        """Set one cell of the raster.
+
+        Parameters
+        ----------
+        row, col : int
+            Of the whole raster.
+        value : int
+        """
+        raise NotImplementedError
+
+
+class ArraySink(Sink):
+    """Collects results in memory.
+
+    Parameters
+    ----------
+    window : Window
+        Of the raster.
+    dtype : numpy.dtype
+    """
+
+    def __init__(self, window, dtype=np.uint8):
+        self.window, self.dtype = window, np.dtype(dtype)
+        self.wants_clearance = self.dtype.kind == "f"
+        self.values = np.zeros((window.rows, window.cols), self.dtype)
+
+    def add(self, window, values):
+        """See `Sink.add`."""
+        row, col = window.row - self.window.row, window.col - self.window.col
+        place = self.values[row : row + window.rows, col : col + window.cols]
+        np.add(place, values, out=place)
+
+    def set(self, row, col, value):
+        """See `Sink.set`."""
+        self.values[row - self.window.row, col - self.window.col] = value

@@ -1,0 +1,78 @@
+"""The part of a terrain that a simulated view needs, in memory in one piece."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import map_coordinates
+
+from ..base.terrain import Window
+
+VOID_M = -2.0e4
+"""Elevation given to voids: they hide nothing and show nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class TerrainPatch:
+    """The part of a terrain that a view needs, in one piece.
+
+    Attributes
+    ----------
+    elevation_m : (r, c) float32 array
+        [m], voids at `VOID_M`.
+    window : Window
+        Its place in the raster.
+    """
+
+    elevation_m: np.ndarray
+    window: Window
+
+    def sample(self, field, frame, east_m, north_m, outside):
+        """Look a field up at local metres.
+
+        Parameters
+        ----------
+        field : (r, c) array
+            Over the patch.
+        frame : LocalFrame
+        east_m, north_m : array
+            [m].
+        outside : float
+            Given beyond the patch.
+        """
+        col, row = frame.to_pixel(east_m, north_m)
+        return sample_field(field, row - self.window.row, col - self.window.col, outside)
+
+
+def sample_field(field, row_px, col_px, outside=None):
+    """Interpolate a (r, c) field of a simulated scene bilinearly, in single precision.
+
+    All of `simulate` samples by this function, and not by `base.terrain.bilinear`: scenes know no voids, and their
+    pictures, on which the published accuracy stands, shall stay the same to the last bit.
+
+    Parameters
+    ----------
+    field : (r, c) array
+    row_px, col_px : array
+        The first cell's centre at 0 [pixels].
+    outside : float or None
+        Given beyond the field; None holds the outer cells.
+    """
+    place = np.array([row_px, col_px])
+    if outside is None:
+        return map_coordinates(field, place, order=1, mode="nearest", output=np.float32)
+    return map_coordinates(field, place, order=1, mode="constant", cval=outside, output=np.float32)
+
+
+def read_patch(terrain, frame, eye_turns_deg, heading_deg, range_m):
+    """Read the bounding window of the view's wedge."""
+    azimuth = np.radians(heading_deg + np.linspace(eye_turns_deg[0] - 1, eye_turns_deg[1] + 1, 181))
+    east = np.append(range_m * np.sin(azimuth), 0.0)
+    north = np.append(range_m * np.cos(azimuth), 0.0)
+    col, row = frame.to_pixel(east, north)
+    low_col, low_row = int(np.floor(col.min())) - 3, int(np.floor(row.min())) - 3
+    window = Window(low_row, low_col, int(np.ceil(row.max())) + 4 - low_row, int(np.ceil(col.max())) + 4 - low_col)
+    window = window.clipped(terrain.shape)
+    elevation = np.asarray(terrain.read(window), np.float32)
+    return TerrainPatch(np.where(np.isfinite(elevation), elevation, np.float32(VOID_M)), window)
