@@ -216,9 +216,7 @@ def _position(request, metadata):
         return float(request.longitude_deg), float(request.latitude_deg), True
     if recorded:
         return metadata.longitude_deg, metadata.latitude_deg, False
-    raise MissingMetadataError(
-        Message("The photo has no GPS position. Give it by the geometry of a photo point layer.")
-    )
+    raise MissingMetadataError(Message("The photo has no GPS position. Supply it as a point in a photo point layer."))
 
 
 def _usable(longitude_deg, latitude_deg):
@@ -280,7 +278,7 @@ def _eye_notes(request, metadata, oriented):
         return ()
     trusted = request.use_altitude and request.eye_elevation_m is None
     if trusted and metadata.altitude_reference == "ellipsoid":
-        return (Message("The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used."),)
+        return (Message("The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used."),)
     above = metadata.altitude_m - oriented.ground_elevation_m
     if abs(above) < 30:
         return ()

@@ -2608,13 +2608,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>Das Foto hat keinen horizontalen Bildwinkel zwischen 0 und 180 Grad; orientieren Sie es zuerst.</translation>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>Das Foto hat keine Blickrichtung; orientieren Sie es zuerst.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3200,13 +3200,13 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
-        <translation>Das Foto hat keine GPS-Position. Geben Sie sie durch die Geometrie eines Layers mit Fotopunkten an.</translation>
+        <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
+        <translation>Das Foto hat keine GPS-Position. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe zählt vom Ellipsoid und nicht vom Meer; das DGM wurde verwendet.</translation>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3346,8 +3346,8 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
-        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
-        <translation>Der Horizont ist am höchsten beim Azimut {azimuth} mit {angle} Grad, {distance} entfernt; sein Median ist {median} Grad. In {share} % der Richtungen endet das DGM zu früh.</translation>
+        <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
+        <translation>Der Horizont ist beim Azimut {azimuth} am höchsten: Sein Höhenwinkel beträgt dort {angle} Grad, seine Entfernung {distance}. Der Median der Höhenwinkel beträgt {median} Grad. In {share} % der Richtungen endet das DGM, bevor höheres Gelände ausgeschlossen ist.</translation>
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
@@ -3356,8 +3356,8 @@
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Um Text in Bilder zu schreiben, braucht es eine TrueType-Schrift; installiert ist keine von DejaVu Sans, Arial, Liberation Sans oder Helvetica. Installieren Sie eine, zum Beispiel das Paket fonts-dejavu-core, oder ein neueres Pillow.</translation>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Text in Bildern braucht eine TrueType-Schrift, aber weder DejaVu Sans noch Arial, Liberation Sans oder Helvetica ist installiert. Installieren Sie eine davon, zum Beispiel mit dem Paket fonts-dejavu-core, oder installieren Sie ein neueres Pillow.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3412,8 +3412,8 @@
     <message>
         <location filename="../core/figures/stations.py"/>
         <location filename="../core/report/report.py"/>
-        <source>Where the photographs stand and look</source>
-        <translation>Wo die Fotos stehen und wohin sie blicken</translation>
+        <source>Camera positions and headings</source>
+        <translation>Standorte und Blickrichtungen der Kamera</translation>
     </message>
     <message>
         <location filename="../core/figures/text.py"/>
@@ -3422,13 +3422,13 @@
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
-        <translation>Das Koordinatenbezugssystem {crs} wird nicht verstanden. Weisen Sie ein gültiges zu.</translation>
+        <source>The coordinate reference system {crs} is not recognised. Assign a valid one.</source>
+        <translation>Das Koordinatenbezugssystem {crs} ist unbekannt. Weisen Sie ein gültiges zu.</translation>
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>No transformation is known from {source} to {target}.</source>
-        <translation>Von {source} nach {target} ist keine Transformation bekannt.</translation>
+        <source>No transformation from {source} to {target} is available. Use a DEM in a common coordinate system.</source>
+        <translation>Es gibt keine Transformation von {source} nach {target}. Verwenden Sie ein DGM in einem gebräuchlichen Koordinatensystem.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3437,44 +3437,44 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <source>it is not UTF-8 text. Export it as JSON or CSV.</source>
         <translation>Die Datei ist kein Text in UTF-8. Exportieren Sie sie als JSON oder CSV.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
         <location filename="../core/io/formats.py"/>
-        <source>it cannot be opened ({reason}).</source>
-        <translation>Die Datei kann nicht geöffnet werden ({reason}).</translation>
+        <source>it cannot be opened ({reason}). Check the path and the permissions.</source>
+        <translation>Die Datei kann nicht geöffnet werden ({reason}). Prüfen Sie den Pfad und die Zugriffsrechte.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no valid JSON. Export it again.</source>
+        <source>it is not valid JSON. Export it again.</source>
         <translation>Die Datei ist kein gültiges JSON. Exportieren Sie sie neu.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>Die Datei ist weder LabelMe noch COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit photo, x, y.</translation>
+        <source>it is not in the format of LabelMe, COCO, VIA or GeoJSON. Export it in one of these formats, or as CSV with the columns photo, x and y.</source>
+        <translation>Die Datei hat keines der Formate LabelMe, COCO, VIA oder GeoJSON. Exportieren Sie sie in einem dieser Formate oder als CSV mit den Spalten photo, x und y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>an entry is incomplete ({reason}).</source>
-        <translation>Ein Eintrag ist unvollständig ({reason}).</translation>
+        <source>an entry is incomplete ({reason}). Export the file again.</source>
+        <translation>Ein Eintrag ist unvollständig ({reason}). Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie sie so, und photo für die Datei.</translation>
+        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
+        <translation>Es fehlen die Spalten x und y (Pixel). Geben Sie diesen Spalten die Namen x und y und der Spalte mit dem Namen des Fotos den Namen photo.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} has no numbers for x and y.</source>
-        <translation>Zeile {number} hat keine Zahlen für x und y.</translation>
+        <source>line {number} has no numbers for x and y. Correct that line.</source>
+        <translation>Zeile {number} hat keine Zahlen für x und y. Berichtigen Sie diese Zeile.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} is incomplete ({reason}).</source>
-        <translation>Zeile {number} ist unvollständig ({reason}).</translation>
+        <source>line {number} is incomplete ({reason}). Correct that line.</source>
+        <translation>Zeile {number} ist unvollständig ({reason}). Berichtigen Sie diese Zeile.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3488,7 +3488,7 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <source>its content is not a JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
         <translation>Der Inhalt ist kein Bild in JPEG, HEIC, PNG, TIFF oder WebP. Exportieren Sie es als JPEG.</translation>
     </message>
     <message>
@@ -3498,13 +3498,13 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce its size first.</source>
         <translation>{width} x {height} Pixel sind mehr als {limit} Megapixel. Verkleinern Sie das Bild zuerst.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>Es ist ein Ordner oder ein Gerät, keine Datei.</translation>
+        <source>it is a folder or a device, not a file. Check the path.</source>
+        <translation>Es ist ein Ordner oder ein Gerät, keine Datei. Prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3513,13 +3513,13 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Das DGM {path} hat kein Koordinatenbezugssystem auf der Erde. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
+        <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Das DGM {path} hat kein geographisches oder projiziertes Koordinatenbezugssystem. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} cannot be placed. {reason}</source>
-        <translation>Das DGM {path} kann nicht verortet werden. {reason}</translation>
+        <source>The coordinate reference system of the DEM {path} cannot be used. {reason}</source>
+        <translation>Das Koordinatenbezugssystem des DGM {path} ist nicht verwendbar. {reason}</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
@@ -3528,8 +3528,8 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Das DGM {path} ist gegen sein KBS gedreht. Richten Sie es zuerst auf (gdalwarp).</translation>
+        <source>The DEM {path} is rotated relative to its CRS. Warp it to a north-up grid first (gdalwarp).</source>
+        <translation>Das DGM {path} ist gegen sein KBS gedreht. Transformieren Sie es zuerst auf ein nach Norden ausgerichtetes Gitter (gdalwarp).</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3538,8 +3538,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Die aufgezeichneten Koordinaten liegen außerhalb der Erde und wurden nicht verwendet.</translation>
+        <source>The recorded coordinates lie outside the range of latitude and longitude and were ignored.</source>
+        <translation>Die aufgezeichneten Koordinaten liegen außerhalb des Wertebereichs von Breite und Länge und wurden nicht beachtet.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>Das Bild ist ein Ausschnitt der Aufnahme: statt {recorded} mm galt eine kleinbildgleiche Brennweite von {used} mm. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD, wo Sie ihn besser kennen.</translation>
+        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Das Bild wurde nach der Aufnahme beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3573,7 +3573,7 @@
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <source>it is too large for this computer's memory. Reduce its size.</source>
         <translation>Das Bild ist zu groß für den Speicher dieses Rechners. Verkleinern Sie es.</translation>
     </message>
     <message>
@@ -3593,13 +3593,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
-        <translation>Das DGM {path} hat {count} Kanäle und keinen Kanal {band}.</translation>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <translation>Das DGM {path} hat {count} Kanäle, aber keinen Kanal {band}. Wählen Sie einen anderen Kanal.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
-        <translation>Kanal {band} von {path} enthält komplexe Zahlen, keine Höhen.</translation>
+        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
+        <translation>Kanal {band} von {path} enthält komplexe Zahlen, keine Höhen. Wählen Sie ein Höhenraster.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3624,8 +3624,8 @@
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
-        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
-        <translation>Das Foto {path} kann nicht geschrieben werden: Nennen Sie es .jpg oder .heic.</translation>
+        <source>The photo {path} cannot be written: its name must end in .jpg or .heic.</source>
+        <translation>Das Foto {path} kann nicht geschrieben werden: Sein Name muss auf .jpg oder .heic enden.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -3659,48 +3659,48 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} pixels.</source>
-        <translation>Landmarke {number} ist auf {count} Pixel getroffen.</translation>
+        <source>Landmark {number} lies {count} pixels from its predicted position.</source>
+        <translation>Landmarke {number} liegt {count} Pixel von ihrer vorausberechneten Lage entfernt.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} degrees.</source>
-        <translation>Landmarke {number} ist auf {count} Grad getroffen.</translation>
+        <source>Landmark {number} lies outside the view, {count} degrees in azimuth from the heading. Check the landmark and the position.</source>
+        <translation>Landmarke {number} liegt außerhalb des Blickfelds, ihr Azimut weicht um {count} Grad von der Blickrichtung ab. Prüfen Sie die Landmarke und die Position.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
-        <translation>Der Horizont passt auf {share} % der Spalten, und keine andere Blickrichtung kommt dem nahe.</translation>
+        <source>The DEM horizon matches the skyline in {share} % of the columns; no other heading scores close.</source>
+        <translation>Der Horizont des DGM stimmt in {share} % der Spalten mit der Horizontlinie überein; keine andere Blickrichtung erreicht eine ähnliche Wertung.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Keine Blickrichtung erklärt die Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
+        <source>No heading fits the skyline. Check the position and the field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Keine Blickrichtung passt zur Horizontlinie. Prüfen Sie Position und Bildwinkel, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie, eine Landmarke oder eine ungefähre Blickrichtung an.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{heading} Grad passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+        <source>A heading of {heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>Eine Blickrichtung von {heading} Grad passt fast ebenso gut. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>Die Anpassung ist schwach. Sehen Sie sich die Überlagerung an; eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske würde entscheiden.</translation>
+        <source>The fit is weak. Check the overlay, or give an approximate heading, a landmark or a sky mask.</source>
+        <translation>Die Anpassung ist schwach. Prüfen Sie die Überlagerung, oder geben Sie eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske an.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>Die auffälligste Linie ist nach dem DGM ein naher Grat; als Horizontlinie galt die schwächere dahinter.</translation>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>Nach dem DGM ist die deutlichste Linie im Bild ein naher Grat; als Horizontlinie wurde die schwächere Linie dahinter verwendet.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>In {share} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist; ein größeres DGM machte die Blickrichtung sicherer.</translation>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>In {share} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist. Verwenden Sie ein größeres DGM, damit die Blickrichtung sicherer wird.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
@@ -3714,13 +3714,13 @@
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen.</translation>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched. Use a photo that shows a mountain skyline.</source>
+        <translation>Die Horizontlinie oder der Horizont des DGM ist eine Gerade; sie lässt sich nicht zuordnen. Verwenden Sie ein Foto, das eine Horizontlinie von Bergen zeigt.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>Das Verfahren des Aufsatzes prüft seine Antwort nicht: Vergleichen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
+        <source>The paper method does not test its result. Check the overlay, or use the robust method.</source>
+        <translation>Das Verfahren des Aufsatzes prüft sein Ergebnis nicht. Prüfen Sie die Überlagerung, oder verwenden Sie das robuste Verfahren.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
@@ -3744,7 +3744,7 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>likeliest of several</source>
+        <source>most likely of several</source>
         <translation>wahrscheinlichste von mehreren</translation>
     </message>
     <message>
@@ -3827,12 +3827,12 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>Where it looks, and the ground it shows</source>
-        <translation>Wohin es blickt und welches Gelände es zeigt</translation>
+        <source>Camera heading and visible ground</source>
+        <translation>Blickrichtung und sichtbares Gelände</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>All numbers, and the DEM's horizon</source>
+        <source>All numbers and the DEM horizon</source>
         <translation>Alle Zahlen und der Horizont des DGM</translation>
     </message>
     <message>
@@ -3862,8 +3862,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Further</source>
-        <translation>Weiteres</translation>
+        <source>Other values</source>
+        <translation>Weitere Werte</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -3887,8 +3887,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Place and eye</source>
-        <translation>Ort und Auge</translation>
+        <source>Position and elevation</source>
+        <translation>Position und Höhe</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4012,8 +4012,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Turned to true north</source>
-        <translation>Auf geographisch Nord gedreht</translation>
+        <source>Converted to true north</source>
+        <translation>Auf geographisch Nord umgerechnet</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4090,8 +4090,8 @@
     <message>
         <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Cell</source>
-        <translation>Zelle</translation>
+        <source>Cell size</source>
+        <translation>Zellgröße</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4185,8 +4185,8 @@
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
-        <source>Second</source>
-        <translation>Zweite</translation>
+        <source>Second best</source>
+        <translation>Zweitbeste</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
@@ -4235,13 +4235,13 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
-        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
-        <translation>Diese Seite ist in sich vollständig und lädt nichts aus einem Netz. Tasten: j nächstes Foto, k voriges.</translation>
+        <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
+        <translation>Diese Seite ist in sich geschlossen und lädt nichts aus dem Netz. Tasten: j für das nächste Foto, k für das vorige.</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} Fotos haben hier Zahlen, aber keine Abbildungen, damit die Seite benutzbar bleibt: Ein Bericht zeichnet die ersten {most} ganz ({accepted} angenommene). Verarbeiten Sie sie in kleineren Gruppen, um alle zu sehen.</translation>
+        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
+        <translation>{count} Fotos erscheinen ohne Abbildungen, damit diese Seite benutzbar bleibt. Ein Bericht enthält Abbildungen für höchstens {most} Fotos und für höchstens {accepted} angenommene. Verarbeiten Sie kleinere Gruppen, um für alle Fotos Abbildungen zu erhalten.</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>
@@ -4265,8 +4265,8 @@
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Das Koordinatensystem des DGM faltet hier Sichtlinien; verwenden Sie ein projiziertes wie UTM.</translation>
+        <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
+        <translation>Das Koordinatensystem des DGM verzerrt Sichtlinien hier zu stark. Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

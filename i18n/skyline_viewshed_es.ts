@@ -2608,13 +2608,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>La foto no tiene rumbo; oriéntela primero.</translation>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La foto no tiene un ángulo de visión horizontal entre 0 y 180 grados; oriéntela primero.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>La foto no tiene un ángulo de visión horizontal entre 0 y 180 grados; oriéntela primero.</translation>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La foto no tiene rumbo; oriéntela primero.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3200,13 +3200,13 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
-        <translation>La foto no tiene posición GPS. Désela con la geometría de una capa de puntos de fotos.</translation>
+        <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
+        <translation>La foto no tiene posición GPS. Indíquela con un punto en una capa de puntos de fotos.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>La altitud registrada se cuenta desde el elipsoide y no desde el mar; se usó el MDE.</translation>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3346,8 +3346,8 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
-        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
-        <translation>El horizonte es más alto en el acimut {azimuth} con {angle} grados, a {distance}; su mediana es de {median} grados. En el {share} % de las direcciones el MDE termina demasiado pronto.</translation>
+        <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
+        <translation>El horizonte alcanza su máximo en el acimut {azimuth}: allí su ángulo de elevación es de {angle} grados y su distancia, de {distance}. La mediana del ángulo de elevación es de {median} grados. En el {share} % de las direcciones el MDE termina antes de que se pueda descartar terreno más alto.</translation>
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
@@ -3356,8 +3356,8 @@
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Para escribir texto en imágenes hace falta un tipo TrueType, y no está instalado ninguno de DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno, por ejemplo el paquete fonts-dejavu-core, o una versión más nueva de Pillow.</translation>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>El texto en las imágenes necesita un tipo de letra TrueType, pero no está instalado ninguno de estos: DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno de ellos, por ejemplo con el paquete fonts-dejavu-core, o instale una versión más reciente de Pillow.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3412,8 +3412,8 @@
     <message>
         <location filename="../core/figures/stations.py"/>
         <location filename="../core/report/report.py"/>
-        <source>Where the photographs stand and look</source>
-        <translation>Dónde están las fotografías y hacia dónde miran</translation>
+        <source>Camera positions and headings</source>
+        <translation>Posiciones y rumbos de la cámara</translation>
     </message>
     <message>
         <location filename="../core/figures/text.py"/>
@@ -3422,13 +3422,13 @@
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
-        <translation>No se entiende el sistema de referencia de coordenadas {crs}. Asigne uno válido.</translation>
+        <source>The coordinate reference system {crs} is not recognised. Assign a valid one.</source>
+        <translation>No se reconoce el sistema de referencia de coordenadas {crs}. Asigne uno válido.</translation>
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>No transformation is known from {source} to {target}.</source>
-        <translation>No se conoce ninguna transformación de {source} a {target}.</translation>
+        <source>No transformation from {source} to {target} is available. Use a DEM in a common coordinate system.</source>
+        <translation>No hay ninguna transformación disponible de {source} a {target}. Use un MDE en un sistema de coordenadas habitual.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3437,44 +3437,44 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <source>it is not UTF-8 text. Export it as JSON or CSV.</source>
         <translation>no es texto en UTF-8. Expórtelo como JSON o CSV.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
         <location filename="../core/io/formats.py"/>
-        <source>it cannot be opened ({reason}).</source>
-        <translation>no se puede abrir ({reason}).</translation>
+        <source>it cannot be opened ({reason}). Check the path and the permissions.</source>
+        <translation>no se puede abrir ({reason}). Compruebe la ruta y los permisos.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no valid JSON. Export it again.</source>
+        <source>it is not valid JSON. Export it again.</source>
         <translation>no es JSON válido. Expórtelo de nuevo.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>no es LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de ellos, o como CSV con photo, x, y.</translation>
+        <source>it is not in the format of LabelMe, COCO, VIA or GeoJSON. Export it in one of these formats, or as CSV with the columns photo, x and y.</source>
+        <translation>no tiene el formato de LabelMe, COCO, VIA ni GeoJSON. Expórtelo en uno de estos formatos, o como CSV con las columnas photo, x e y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>an entry is incomplete ({reason}).</source>
-        <translation>una entrada está incompleta ({reason}).</translation>
+        <source>an entry is incomplete ({reason}). Export the file again.</source>
+        <translation>una entrada está incompleta ({reason}). Exporte de nuevo el archivo.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>no tiene columnas x e y (píxeles). Nómbrelas así, y photo para el archivo.</translation>
+        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
+        <translation>no tiene columnas x e y (píxeles). Ponga a esas columnas los nombres x e y, y a la columna con el nombre de la foto, el nombre photo.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} has no numbers for x and y.</source>
-        <translation>la línea {number} no tiene números para x e y.</translation>
+        <source>line {number} has no numbers for x and y. Correct that line.</source>
+        <translation>la línea {number} no tiene números para x e y. Corrija esa línea.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} is incomplete ({reason}).</source>
-        <translation>la línea {number} está incompleta ({reason}).</translation>
+        <source>line {number} is incomplete ({reason}). Correct that line.</source>
+        <translation>la línea {number} está incompleta ({reason}). Corrija esa línea.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3488,7 +3488,7 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <source>its content is not a JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
         <translation>su contenido no es una imagen JPEG, HEIC, PNG, TIFF ni WebP. Expórtela como JPEG.</translation>
     </message>
     <message>
@@ -3498,13 +3498,13 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce its size first.</source>
         <translation>sus {width} x {height} píxeles son más de {limit} megapíxeles. Reduzca antes la imagen.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>es una carpeta o un dispositivo, no un archivo.</translation>
+        <source>it is a folder or a device, not a file. Check the path.</source>
+        <translation>es una carpeta o un dispositivo, no un archivo. Compruebe la ruta.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3513,13 +3513,13 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>El MDE {path} no tiene un sistema de referencia de coordenadas sobre la Tierra. Asigne el correcto (gdal_edit -a_srs).</translation>
+        <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>El MDE {path} no tiene un sistema de referencia de coordenadas geográfico o proyectado. Asigne el correcto (gdal_edit -a_srs).</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} cannot be placed. {reason}</source>
-        <translation>El MDE {path} no se puede situar. {reason}</translation>
+        <source>The coordinate reference system of the DEM {path} cannot be used. {reason}</source>
+        <translation>No se puede usar el sistema de referencia de coordenadas del MDE {path}. {reason}</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
@@ -3528,8 +3528,8 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>El MDE {path} está girado respecto a su SRC. Enderécelo primero (gdalwarp).</translation>
+        <source>The DEM {path} is rotated relative to its CRS. Warp it to a north-up grid first (gdalwarp).</source>
+        <translation>El MDE {path} está girado respecto de su SRC. Transfórmelo antes a una malla orientada al norte (gdalwarp).</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3538,8 +3538,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Las coordenadas registradas están fuera del globo y se han ignorado.</translation>
+        <source>The recorded coordinates lie outside the range of latitude and longitude and were ignored.</source>
+        <translation>Las coordenadas registradas están fuera del intervalo de latitud y longitud y no se tuvieron en cuenta.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>La imagen es una parte de lo que tomó la cámara: se usó un equivalente de 35 mm de {used} mm en vez de {recorded} mm. Indique el campo de visión horizontal en HFOV_FIELD si lo conoce mejor.</translation>
+        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>La imagen se recortó después de tomarla: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3573,7 +3573,7 @@
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <source>it is too large for this computer's memory. Reduce its size.</source>
         <translation>es demasiado grande para la memoria de este ordenador. Reduzca la imagen.</translation>
     </message>
     <message>
@@ -3593,13 +3593,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
-        <translation>El MDE {path} tiene {count} banda(s) y ninguna banda {band}.</translation>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <translation>El MDE {path} tiene {count} banda(s), pero ninguna banda {band}. Elija otra banda.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
-        <translation>La banda {band} de {path} contiene números complejos, no altitudes.</translation>
+        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
+        <translation>La banda {band} de {path} contiene números complejos, no altitudes. Elija un ráster de altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3624,8 +3624,8 @@
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
-        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
-        <translation>No se puede escribir la foto {path}: llámela .jpg o .heic.</translation>
+        <source>The photo {path} cannot be written: its name must end in .jpg or .heic.</source>
+        <translation>No se puede escribir la foto {path}: su nombre debe terminar en .jpg o .heic.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -3659,48 +3659,48 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} pixels.</source>
-        <translation>El punto de referencia {number} se acierta con {count} píxeles.</translation>
+        <source>Landmark {number} lies {count} pixels from its predicted position.</source>
+        <translation>El punto de referencia {number} está a {count} píxeles de su posición prevista.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} degrees.</source>
-        <translation>El punto de referencia {number} se acierta con {count} grados.</translation>
+        <source>Landmark {number} lies outside the view, {count} degrees in azimuth from the heading. Check the landmark and the position.</source>
+        <translation>El punto de referencia {number} está fuera de la vista, con un acimut a {count} grados del rumbo. Compruebe el punto de referencia y la posición.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
-        <translation>El horizonte encaja en el {share} % de las columnas, y ningún otro rumbo se le acerca.</translation>
+        <source>The DEM horizon matches the skyline in {share} % of the columns; no other heading scores close.</source>
+        <translation>El horizonte del MDE coincide con la línea del horizonte en el {share} % de las columnas; ningún otro rumbo obtiene una puntuación parecida.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Ningún rumbo explica la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
+        <source>No heading fits the skyline. Check the position and the field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Ningún rumbo encaja con la línea del horizonte. Compruebe la posición y el ángulo de visión, o dé una máscara del cielo, una línea dibujada, un punto de referencia o un rumbo aproximado.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{heading} grados encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
+        <source>A heading of {heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>Un rumbo de {heading} grados encaja casi igual de bien. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>El ajuste es débil. Mire la superposición; un rumbo aproximado, un punto de referencia o una máscara del cielo lo decidirían.</translation>
+        <source>The fit is weak. Check the overlay, or give an approximate heading, a landmark or a sky mask.</source>
+        <translation>El ajuste es débil. Compruebe la superposición, o dé un rumbo aproximado, un punto de referencia o una máscara del cielo.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La línea que más destaca es, según el MDE, una cresta cercana; se tomó como línea del horizonte la más débil detrás de ella.</translation>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>Según el MDE, la línea más marcada de la imagen es una cresta cercana; como línea del horizonte se usó la más débil que hay detrás.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>En el {share} % de la imagen el MDE termina o tiene vacíos antes de que se pueda excluir terreno más alto; un MDE mayor daría un rumbo más seguro.</translation>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>En el {share} % de la imagen el MDE termina o tiene vacíos antes de que se pueda descartar terreno más alto. Use un MDE mayor para que el rumbo sea más seguro.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
@@ -3714,13 +3714,13 @@
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar.</translation>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched. Use a photo that shows a mountain skyline.</source>
+        <translation>La línea del horizonte o el horizonte del MDE es una recta, que no se puede ajustar. Use una foto que muestre una línea del horizonte de montañas.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>El método del artículo no comprueba su respuesta: compare la superposición o use el método robusto.</translation>
+        <source>The paper method does not test its result. Check the overlay, or use the robust method.</source>
+        <translation>El método del artículo no comprueba su resultado. Compruebe la superposición o use el método robusto.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
@@ -3744,7 +3744,7 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>likeliest of several</source>
+        <source>most likely of several</source>
         <translation>el más probable de varios</translation>
     </message>
     <message>
@@ -3827,12 +3827,12 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>Where it looks, and the ground it shows</source>
-        <translation>Hacia dónde mira y el terreno que muestra</translation>
+        <source>Camera heading and visible ground</source>
+        <translation>Rumbo de la cámara y terreno visible</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>All numbers, and the DEM's horizon</source>
+        <source>All numbers and the DEM horizon</source>
         <translation>Todos los números y el horizonte del MDE</translation>
     </message>
     <message>
@@ -3862,8 +3862,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Further</source>
-        <translation>Otros</translation>
+        <source>Other values</source>
+        <translation>Otros valores</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -3887,8 +3887,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Place and eye</source>
-        <translation>Lugar y ojo</translation>
+        <source>Position and elevation</source>
+        <translation>Posición y altitud</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4012,8 +4012,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Turned to true north</source>
-        <translation>Girado al norte geográfico</translation>
+        <source>Converted to true north</source>
+        <translation>Convertido al norte geográfico</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4090,8 +4090,8 @@
     <message>
         <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Cell</source>
-        <translation>Celda</translation>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4185,8 +4185,8 @@
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
-        <source>Second</source>
-        <translation>Segundo</translation>
+        <source>Second best</source>
+        <translation>Segundo mejor</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
@@ -4235,13 +4235,13 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
-        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
-        <translation>Esta página está completa en sí misma y no carga nada de una red. Teclas: j foto siguiente, k anterior.</translation>
+        <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
+        <translation>Esta página es autónoma y no carga nada de la red. Teclas: j para la foto siguiente, k para la anterior.</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} fotografías tienen aquí números pero no figuras, para que la página siga siendo manejable: un informe dibuja enteras las primeras {most} ({accepted} aceptadas). Procéselas en grupos más pequeños para verlas todas.</translation>
+        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
+        <translation>{count} fotografías aparecen sin figuras, para que esta página siga siendo manejable. Un informe contiene figuras de {most} fotografías como máximo, y de {accepted} aceptadas como máximo. Procese grupos más pequeños para obtener las figuras de todas.</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>
@@ -4265,8 +4265,8 @@
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>El sistema de coordenadas del MDE pliega aquí las líneas de visión; use uno proyectado como UTM.</translation>
+        <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
+        <translation>El sistema de coordenadas del MDE deforma aquí demasiado las líneas de visión. Use un MDE en un sistema de coordenadas proyectado, como UTM.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

@@ -2608,13 +2608,13 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no heading; orient it first.</source>
-        <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
+        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
+        <translation>La photo n'a pas d'angle de champ horizontal entre 0 et 180 degrés ; orientez-la d'abord.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>The photo has no horizontal field of view between 0 and 180 degrees; orient it first.</source>
-        <translation>La photo n'a pas d'angle de champ horizontal entre 0 et 180 degrés ; orientez-la d'abord.</translation>
+        <source>The photo has no heading; orient it first.</source>
+        <translation>La photo n'a pas d'azimut de visée ; orientez-la d'abord.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -3200,13 +3200,13 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The photo has no GPS position. Give it by the geometry of a photo point layer.</source>
-        <translation>La photo n'a pas de position GPS. Donnez-la par la géométrie d'une couche de points de photos.</translation>
+        <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
+        <translation>La photo n'a pas de position GPS. Indiquez-la par un point dans une couche de points de photos.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The recorded altitude counts from the ellipsoid and not from the sea; the DEM was used.</source>
-        <translation>L'altitude enregistrée se compte depuis l'ellipsoïde et non depuis la mer ; le MNT a été utilisé.</translation>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3346,8 +3346,8 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
-        <source>The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} degrees. In {share} % of the directions the DEM ends too early.</source>
-        <translation>L'horizon est le plus haut à l'azimut {azimuth} avec {angle} degrés, à {distance} ; sa médiane est de {median} degrés. Dans {share} % des directions, le MNT s'arrête trop tôt.</translation>
+        <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
+        <translation>L'horizon culmine à l'azimut {azimuth} : son angle d'élévation y est de {angle} degrés et sa distance de {distance}. L'angle d'élévation médian est de {median} degrés. Dans {share} % des directions, le MNT s'arrête avant qu'un terrain plus haut puisse être exclu.</translation>
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
@@ -3356,8 +3356,8 @@
     </message>
     <message>
         <location filename="../core/figures/raster.py"/>
-        <source>Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow.</source>
-        <translation>Écrire du texte dans des images exige une police TrueType, et aucune de DejaVu Sans, Arial, Liberation Sans ou Helvetica n'est installée. Installez-en une, par exemple le paquet fonts-dejavu-core, ou un Pillow plus récent.</translation>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Le texte dans les images exige une police TrueType, mais ni DejaVu Sans, ni Arial, ni Liberation Sans, ni Helvetica n'est installée. Installez l'une d'elles, par exemple avec le paquet fonts-dejavu-core, ou installez un Pillow plus récent.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3412,8 +3412,8 @@
     <message>
         <location filename="../core/figures/stations.py"/>
         <location filename="../core/report/report.py"/>
-        <source>Where the photographs stand and look</source>
-        <translation>Où les photos ont été prises et vers où elles regardent</translation>
+        <source>Camera positions and headings</source>
+        <translation>Positions et azimuts de l'appareil</translation>
     </message>
     <message>
         <location filename="../core/figures/text.py"/>
@@ -3422,13 +3422,13 @@
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>The coordinate reference system {crs} is not understood. Assign a valid one.</source>
-        <translation>Le système de coordonnées de référence {crs} n'est pas compris. Attribuez-en un valide.</translation>
+        <source>The coordinate reference system {crs} is not recognised. Assign a valid one.</source>
+        <translation>Le système de coordonnées de référence {crs} n'est pas reconnu. Attribuez-en un valide.</translation>
     </message>
     <message>
         <location filename="../core/io/crs.py"/>
-        <source>No transformation is known from {source} to {target}.</source>
-        <translation>Aucune transformation n'est connue de {source} vers {target}.</translation>
+        <source>No transformation from {source} to {target} is available. Use a DEM in a common coordinate system.</source>
+        <translation>Aucune transformation de {source} vers {target} n'est disponible. Utilisez un MNT dans un système de coordonnées courant.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3437,44 +3437,44 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no text in UTF-8. Export it as JSON or CSV.</source>
+        <source>it is not UTF-8 text. Export it as JSON or CSV.</source>
         <translation>ce n'est pas du texte en UTF-8. Exportez-le en JSON ou CSV.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
         <location filename="../core/io/formats.py"/>
-        <source>it cannot be opened ({reason}).</source>
-        <translation>il ne peut pas être ouvert ({reason}).</translation>
+        <source>it cannot be opened ({reason}). Check the path and the permissions.</source>
+        <translation>il ne peut pas être ouvert ({reason}). Vérifiez le chemin et les droits d'accès.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is no valid JSON. Export it again.</source>
+        <source>it is not valid JSON. Export it again.</source>
         <translation>ce n'est pas du JSON valide. Exportez-le à nouveau.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y.</source>
-        <translation>ce n'est ni LabelMe, ni COCO, ni VIA, ni GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec photo, x, y.</translation>
+        <source>it is not in the format of LabelMe, COCO, VIA or GeoJSON. Export it in one of these formats, or as CSV with the columns photo, x and y.</source>
+        <translation>il n'est pas au format LabelMe, COCO, VIA ou GeoJSON. Exportez-le dans l'un de ces formats, ou en CSV avec les colonnes photo, x et y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>an entry is incomplete ({reason}).</source>
-        <translation>une entrée est incomplète ({reason}).</translation>
+        <source>an entry is incomplete ({reason}). Export the file again.</source>
+        <translation>une entrée est incomplète ({reason}). Exportez à nouveau le fichier.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Name them so, and photo for the file.</source>
-        <translation>il n'a pas de colonnes x et y (pixels). Nommez-les ainsi, et photo pour le fichier.</translation>
+        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
+        <translation>il n'a pas de colonnes x et y (pixels). Nommez ces colonnes x et y, et photo la colonne qui contient le nom de la photo.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} has no numbers for x and y.</source>
-        <translation>la ligne {number} n'a pas de nombres pour x et y.</translation>
+        <source>line {number} has no numbers for x and y. Correct that line.</source>
+        <translation>la ligne {number} n'a pas de nombres pour x et y. Corrigez cette ligne.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>line {number} is incomplete ({reason}).</source>
-        <translation>la ligne {number} est incomplète ({reason}).</translation>
+        <source>line {number} is incomplete ({reason}). Correct that line.</source>
+        <translation>la ligne {number} est incomplète ({reason}). Corrigez cette ligne.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3488,7 +3488,7 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
+        <source>its content is not a JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.</source>
         <translation>son contenu n'est pas une image JPEG, HEIC, PNG, TIFF ou WebP. Exportez-la en JPEG.</translation>
     </message>
     <message>
@@ -3498,13 +3498,13 @@
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.</source>
+        <source>its {width} x {height} pixels are more than {limit} megapixels. Reduce its size first.</source>
         <translation>ses {width} x {height} pixels dépassent {limit} mégapixels. Réduisez d'abord l'image.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
-        <source>it is a folder or a device, not a file.</source>
-        <translation>c'est un dossier ou un périphérique, pas un fichier.</translation>
+        <source>it is a folder or a device, not a file. Check the path.</source>
+        <translation>c'est un dossier ou un périphérique, pas un fichier. Vérifiez le chemin.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3513,13 +3513,13 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} has no coordinate reference system on the Earth. Assign the right one (gdal_edit -a_srs).</source>
-        <translation>Le MNT {path} n'a pas de système de coordonnées de référence sur la Terre. Attribuez le bon (gdal_edit -a_srs).</translation>
+        <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
+        <translation>Le MNT {path} n'a pas de système de coordonnées de référence géographique ou projeté. Attribuez-lui le bon (gdal_edit -a_srs).</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} cannot be placed. {reason}</source>
-        <translation>Le MNT {path} ne peut pas être situé. {reason}</translation>
+        <source>The coordinate reference system of the DEM {path} cannot be used. {reason}</source>
+        <translation>Le système de coordonnées de référence du MNT {path} est inutilisable. {reason}</translation>
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
@@ -3528,8 +3528,8 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
-        <source>The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).</source>
-        <translation>Le MNT {path} est tourné par rapport à son SCR. Redressez-le d'abord (gdalwarp).</translation>
+        <source>The DEM {path} is rotated relative to its CRS. Warp it to a north-up grid first (gdalwarp).</source>
+        <translation>Le MNT {path} est tourné par rapport à son SCR. Projetez-le d'abord sur une grille orientée au nord (gdalwarp).</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3538,8 +3538,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The recorded coordinates lie outside the globe and were ignored.</source>
-        <translation>Les coordonnées enregistrées se trouvent hors du globe et ont été ignorées.</translation>
+        <source>The recorded coordinates lie outside the range of latitude and longitude and were ignored.</source>
+        <translation>Les coordonnées enregistrées sont hors des limites de latitude et de longitude et ont été ignorées.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.</source>
-        <translation>L'image est une partie de la prise de vue : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Donnez le champ horizontal dans HFOV_FIELD s'il est mieux connu.</translation>
+        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'image a été recadrée après la prise de vue : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3573,7 +3573,7 @@
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
-        <source>it is too large for this computer's memory. Reduce the picture.</source>
+        <source>it is too large for this computer's memory. Reduce its size.</source>
         <translation>elle est trop grande pour la mémoire de cet ordinateur. Réduisez l'image.</translation>
     </message>
     <message>
@@ -3593,13 +3593,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), and no band {band}.</source>
-        <translation>Le MNT {path} a {count} bande(s), et pas de bande {band}.</translation>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <translation>Le MNT {path} a {count} bande(s), mais pas de bande {band}. Choisissez une autre bande.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} holds complex numbers, not elevations.</source>
-        <translation>La bande {band} de {path} contient des nombres complexes, pas des altitudes.</translation>
+        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
+        <translation>La bande {band} de {path} contient des nombres complexes, pas des altitudes. Choisissez un raster d'altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3624,8 +3624,8 @@
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
-        <source>The photo {path} cannot be written: name it .jpg or .heic.</source>
-        <translation>La photo {path} ne peut pas être écrite : nommez-la .jpg ou .heic.</translation>
+        <source>The photo {path} cannot be written: its name must end in .jpg or .heic.</source>
+        <translation>La photo {path} ne peut pas être écrite : son nom doit se terminer par .jpg ou .heic.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -3659,48 +3659,48 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} pixels.</source>
-        <translation>Le point de repère {number} est atteint à {count} pixels près.</translation>
+        <source>Landmark {number} lies {count} pixels from its predicted position.</source>
+        <translation>Le point de repère {number} se trouve à {count} pixels de sa position prévue.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
-        <source>Landmark {number} is met to within {count} degrees.</source>
-        <translation>Le point de repère {number} est atteint à {count} degrés près.</translation>
+        <source>Landmark {number} lies outside the view, {count} degrees in azimuth from the heading. Check the landmark and the position.</source>
+        <translation>Le point de repère {number} est hors du champ, son azimut s'écarte de {count} degrés de celui de la prise de vue. Vérifiez le point de repère et la position.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark.</source>
+        <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The horizon fits along {share} % of the columns, and no other heading comes near.</source>
-        <translation>L'horizon convient sur {share} % des colonnes, et aucun autre cap ne s'en approche.</translation>
+        <source>The DEM horizon matches the skyline in {share} % of the columns; no other heading scores close.</source>
+        <translation>L'horizon du MNT coïncide avec la ligne d'horizon dans {share} % des colonnes ; aucun autre azimut n'obtient un score proche.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
-        <translation>Aucun azimut n'explique la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
+        <source>No heading fits the skyline. Check the position and the field of view, or give a sky mask, a drawn skyline, a landmark or an approximate heading.</source>
+        <translation>Aucun azimut ne correspond à la ligne d'horizon. Vérifiez la position et l'angle de champ, ou donnez un masque de ciel, une ligne d'horizon dessinée, un point de repère ou un azimut approché.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
-        <translation>{heading} degrés convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
+        <source>A heading of {heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>Un azimut de {heading} degrés convient presque aussi bien. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it.</source>
-        <translation>L'ajustement est faible. Regardez la superposition ; un azimut approché, un point de repère ou un masque de ciel trancherait.</translation>
+        <source>The fit is weak. Check the overlay, or give an approximate heading, a landmark or a sky mask.</source>
+        <translation>L'ajustement est faible. Vérifiez la superposition, ou donnez un azimut approché, un point de repère ou un masque de ciel.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline.</source>
-        <translation>La ligne la plus marquée est, d'après le MNT, une crête proche ; la ligne plus faible derrière elle a été prise pour la ligne d'horizon.</translation>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>D'après le MNT, la ligne la plus nette de l'image est une crête proche ; la ligne plus faible derrière elle a été utilisée comme ligne d'horizon.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would make the heading surer.</source>
-        <translation>Dans {share} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu ; un MNT plus grand rendrait l'azimut plus sûr.</translation>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>Dans {share} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu. Utilisez un MNT plus étendu pour rendre l'azimut plus sûr.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>
@@ -3714,13 +3714,13 @@
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched.</source>
-        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée.</translation>
+        <source>The skyline or the DEM's horizon is a straight line, which cannot be matched. Use a photo that shows a mountain skyline.</source>
+        <translation>La ligne d'horizon ou l'horizon du MNT est une droite, qui ne peut pas être appariée. Utilisez une photo qui montre une ligne d'horizon de montagnes.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
-        <source>The paper's method does not test its answer: compare the overlay, or use the robust method.</source>
-        <translation>La méthode de l'article ne vérifie pas sa réponse : comparez la superposition, ou utilisez la méthode robuste.</translation>
+        <source>The paper method does not test its result. Check the overlay, or use the robust method.</source>
+        <translation>La méthode de l'article ne vérifie pas son résultat. Vérifiez la superposition, ou utilisez la méthode robuste.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>
@@ -3744,7 +3744,7 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>likeliest of several</source>
+        <source>most likely of several</source>
         <translation>le plus probable de plusieurs</translation>
     </message>
     <message>
@@ -3827,13 +3827,13 @@
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>Where it looks, and the ground it shows</source>
-        <translation>Vers où elle regarde, et le terrain qu'elle montre</translation>
+        <source>Camera heading and visible ground</source>
+        <translation>Azimut de l'appareil et terrain visible</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
-        <source>All numbers, and the DEM's horizon</source>
-        <translation>Tous les chiffres, et l'horizon du MNT</translation>
+        <source>All numbers and the DEM horizon</source>
+        <translation>Tous les chiffres et l'horizon du MNT</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
@@ -3862,8 +3862,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Further</source>
-        <translation>Autres</translation>
+        <source>Other values</source>
+        <translation>Autres valeurs</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -3887,8 +3887,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Place and eye</source>
-        <translation>Lieu et œil</translation>
+        <source>Position and elevation</source>
+        <translation>Position et altitude</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4012,8 +4012,8 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <source>Turned to true north</source>
-        <translation>Ramené au nord géographique</translation>
+        <source>Converted to true north</source>
+        <translation>Converti au nord géographique</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4090,8 +4090,8 @@
     <message>
         <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Cell</source>
-        <translation>Cellule</translation>
+        <source>Cell size</source>
+        <translation>Taille de cellule</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4185,8 +4185,8 @@
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
-        <source>Second</source>
-        <translation>Deuxième</translation>
+        <source>Second best</source>
+        <translation>Deuxième meilleur</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>
@@ -4235,13 +4235,13 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
-        <source>This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous.</source>
-        <translation>Cette page est complète en elle-même et ne charge rien d'un réseau. Touches : j photo suivante, k précédente.</translation>
+        <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
+        <translation>Cette page est autonome et ne charge rien depuis le réseau. Touches : j pour la photo suivante, k pour la précédente.</translation>
     </message>
     <message>
         <location filename="../core/report/report.py"/>
-        <source>{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first {most} in full ({accepted} accepted ones). Run them in smaller groups to see them all.</source>
-        <translation>{count} photos ont ici des chiffres mais pas de figures, pour que la page reste utilisable : un rapport dessine les {most} premières en entier ({accepted} acceptées). Traitez-les en plus petits groupes pour les voir toutes.</translation>
+        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
+        <translation>{count} photos apparaissent sans figures, pour que cette page reste utilisable. Un rapport contient des figures pour {most} photos au plus, et pour {accepted} photos acceptées au plus. Traitez des groupes plus petits pour obtenir les figures de toutes.</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>
@@ -4265,8 +4265,8 @@
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>
-        <source>The DEM's coordinate system folds sight lines here; use a projected one such as UTM.</source>
-        <translation>Le système de coordonnées du MNT replie ici les lignes de visée ; utilisez-en un projeté comme UTM.</translation>
+        <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
+        <translation>Le système de coordonnées du MNT déforme ici trop les lignes de visée. Utilisez un MNT dans un système de coordonnées projeté, comme UTM.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

@@ -250,8 +250,9 @@ def _profile_in_words(horizon, say):
     elevation = np.asarray(horizon.elevation_deg, float)
     highest = int(np.nanargmax(elevation))
     return say(
-        "The horizon is highest at azimuth {azimuth} with {angle} degrees, {distance} away; its median is {median} "
-        "degrees. In {share} % of the directions the DEM ends too early."
+        "The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and "
+        "its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the "
+        "directions the DEM ends before higher terrain can be ruled out."
     ).format(
         azimuth=azimuth(horizon.azimuth_deg[highest]),
         angle=f"{elevation[highest]:.1f}",

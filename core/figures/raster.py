@@ -229,8 +229,9 @@ def _font(size_px, bold):
     except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and knows no anchors
         raise MissingPackageError(
             Message(
-                "Writing words into pictures needs a TrueType font, and none of DejaVu Sans, Arial, Liberation Sans or "
-                "Helvetica is installed. Install one, for instance the package fonts-dejavu-core, or a newer Pillow."
+                "Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or "
+                "Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or "
+                "install a newer Pillow."
             )
         ) from None
 

@@ -72,7 +72,7 @@ def stations_svg(stations, width=1280, height=420, say=str):
     parts = [*marks, _scale_bar(px_per_m, width, height), _north(width, say)]
     extent = f"{max(np.ptp(east_m), np.ptp(north_m)) / 1000:.1f}"
     said = say("{count} photographs within {extent} kilometres.").format(count=len(stations), extent=extent)
-    return figure(width, height, say("Where the photographs stand and look"), said, *parts)
+    return figure(width, height, say("Camera positions and headings"), said, *parts)
 
 
 def _local(stations):

@@ -36,7 +36,7 @@ def spatial_reference(crs):
             failed = True
     if failed:
         raise TerrainError(
-            Message("The coordinate reference system {crs} is not understood. Assign a valid one.", crs=repr(crs[:80]))
+            Message("The coordinate reference system {crs} is not recognised. Assign a valid one.", crs=repr(crs[:80]))
         )
     reference.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return reference
@@ -77,7 +77,12 @@ class Transformer:
         if self._transformation is None or not self._transformation.this:
             names = repr(source[:60]), repr(target[:60])
             raise TerrainError(
-                Message("No transformation is known from {source} to {target}.", source=names[0], target=names[1])
+                Message(
+                    "No transformation from {source} to {target} is available. Use a DEM in a common coordinate "
+                    "system.",
+                    source=names[0],
+                    target=names[1],
+                )
             )
 
     def __call__(self, x, y):

@@ -69,9 +69,9 @@ def _text(path):
         with open(path, encoding="utf-8-sig") as file:
             return file.read()
     except UnicodeDecodeError:
-        raise UnreadableFeaturesError(path, Message("it is no text in UTF-8. Export it as JSON or CSV.")) from None
+        raise UnreadableFeaturesError(path, Message("it is not UTF-8 text. Export it as JSON or CSV.")) from None
     except OSError as error:
-        reason = Message("it cannot be opened ({reason}).", reason=error.strerror)
+        reason = Message("it cannot be opened ({reason}). Check the path and the permissions.", reason=error.strerror)
         raise UnreadableFeaturesError(path, reason) from None
 
 
@@ -79,7 +79,7 @@ def _from_json(path, text):
     try:
         data = json.loads(text)
     except (ValueError, RecursionError):
-        raise UnreadableFeaturesError(path, Message("it is no valid JSON. Export it again.")) from None
+        raise UnreadableFeaturesError(path, Message("it is not valid JSON. Export it again.")) from None
     for fits, read in (
         (lambda d: "shapes" in d, _labelme),
         (lambda d: "annotations" in d and "images" in d, _coco),
@@ -102,12 +102,15 @@ def _from_json(path, text):
                 raise UnreadableFeaturesError(path, _incomplete(error)) from None
     raise UnreadableFeaturesError(
         path,
-        Message("it is none of LabelMe, COCO, VIA or GeoJSON. Export it in one of these, or as CSV with photo, x, y."),
+        Message(
+            "it is not in the format of LabelMe, COCO, VIA or GeoJSON. Export it in one of these formats, or "
+            "as CSV with the columns photo, x and y."
+        ),
     )
 
 
 def _incomplete(error):
-    return Message("an entry is incomplete ({reason}).", reason=f"{error!r:.120}")
+    return Message("an entry is incomplete ({reason}). Export the file again.", reason=f"{error!r:.120}")
 
 
 def _labelme(data):
@@ -218,7 +221,11 @@ def _from_csv(path, text):
     x, y = (next((names[n] for n in wanted if n in names), None) for wanted in (_X, _Y))
     if x is None or y is None:
         raise UnreadableFeaturesError(
-            path, Message("it has no columns x and y (pixels). Name them so, and photo for the file.")
+            path,
+            Message(
+                "it has no columns x and y (pixels). Give the columns the names x and y, and the column with the "
+                "name of the photo the name photo."
+            ),
         )
     photo, label, group, kind = (
         next((names[n] for n in wanted if n in names), None) for wanted in (_PHOTO, _LABEL, _GROUP, _KIND)
@@ -230,7 +237,9 @@ def _from_csv(path, text):
         except (TypeError, ValueError):
             place = np.nan, np.nan
         if not np.isfinite(place).all():
-            raise UnreadableFeaturesError(path, Message("line {number} has no numbers for x and y.", number=number + 2))
+            raise UnreadableFeaturesError(
+                path, Message("line {number} has no numbers for x and y. Correct that line.", number=number + 2)
+            )
         # Rows of one group are the vertices of one line or area, in order; without a group each is a point.
         named = (row.get(photo) or "") if photo else ""
         key = (named, row.get(group) or number) if group else (named, number)
@@ -265,7 +274,11 @@ def _via_csv(path, rows):
                 photo = row.get("filename") or row.get("#filename") or ""
                 features.append(_feature(photo, *drawn, _first(given), _plain(given)))
         except INCOMPLETE as error:
-            reason = Message("line {number} is incomplete ({reason}).", number=number + 2, reason=f"{error!r:.120}")
+            reason = Message(
+                "line {number} is incomplete ({reason}). Correct that line.",
+                number=number + 2,
+                reason=f"{error!r:.120}",
+            )
             raise UnreadableFeaturesError(path, reason) from None
     return features
 

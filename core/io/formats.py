@@ -46,7 +46,7 @@ def format_of(path):
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "webp"
     raise UnreadablePhotoError(
-        path, Message("its content is no JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.")
+        path, Message("its content is not a JPEG, HEIC, PNG, TIFF or WebP picture. Export it as JPEG.")
     )
 
 
@@ -58,7 +58,7 @@ def check_size(path, width_px, height_px):
         raise UnreadablePhotoError(
             path,
             Message(
-                "its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.",
+                "its {width} x {height} pixels are more than {limit} megapixels. Reduce its size first.",
                 width=width_px,
                 height=height_px,
                 limit=MAX_PIXELS // 1_000_000,
@@ -69,14 +69,16 @@ def check_size(path, width_px, height_px):
 def _first_bytes(path, count=64):
     try:
         if os.path.exists(path) and not os.path.isfile(path):  # a pipe would keep us waiting for ever
-            raise UnreadablePhotoError(path, Message("it is a folder or a device, not a file."))
+            raise UnreadablePhotoError(path, Message("it is a folder or a device, not a file. Check the path."))
         with open(path, "rb") as file:
             return file.read(count)
     except FileNotFoundError:
         raise UnreadablePhotoError(path, Message("there is no such file. Check the path.")) from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the path
         reason = getattr(error, "strerror", None) or str(error)
-        raise UnreadablePhotoError(path, Message("it cannot be opened ({reason}).", reason=reason)) from None
+        raise UnreadablePhotoError(
+            path, Message("it cannot be opened ({reason}). Check the path and the permissions.", reason=reason)
+        ) from None
 
 
 def _is_heif(head):

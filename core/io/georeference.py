@@ -15,7 +15,7 @@ def crs_of(path, dataset, crs=None):
     if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
         raise UnusableDemError(
             Message(
-                "The DEM {path} has no coordinate reference system on the Earth. Assign the right one "
+                "The DEM {path} has no geographic or projected coordinate reference system. Assign the right one "
                 "(gdal_edit -a_srs).",
                 path=path,
             )
@@ -25,7 +25,11 @@ def crs_of(path, dataset, crs=None):
         spatial_reference(wkt)
     except TerrainError as error:
         raise UnusableDemError(
-            Message("The DEM {path} cannot be placed. {reason}", path=path, reason=error.message)
+            Message(
+                "The coordinate reference system of the DEM {path} cannot be used. {reason}",
+                path=path,
+                reason=error.message,
+            )
         ) from None
     return wkt
 
@@ -40,6 +44,8 @@ def geotransform_of(path, dataset):
     shear = abs(transform[2]) * dataset.RasterYSize, abs(transform[4]) * dataset.RasterXSize
     if shear[0] > 0.01 * abs(transform[1]) or shear[1] > 0.01 * abs(transform[5]):
         raise UnusableDemError(
-            Message("The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp).", path=path)
+            Message(
+                "The DEM {path} is rotated relative to its CRS. Warp it to a north-up grid first (gdalwarp).", path=path
+            )
         )
     return (transform[0], transform[1], 0.0, transform[3], 0.0, transform[5])

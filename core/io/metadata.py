@@ -89,7 +89,9 @@ def _position(tags, notes):
         notes.append(Message("The recorded coordinates are not numbers (no GPS fix) and were ignored."))
         return None, None
     if abs(latitude_deg) > 90 or abs(longitude_deg) > 180:
-        notes.append(Message("The recorded coordinates lie outside the globe and were ignored."))
+        notes.append(
+            Message("The recorded coordinates lie outside the range of latitude and longitude and were ignored.")
+        )
         return None, None
     if latitude_deg == 0 and longitude_deg == 0:
         notes.append(Message("The recorded coordinates are 0, 0 (no GPS fix) and were ignored."))
@@ -140,8 +142,8 @@ def _focal_length_35mm(tags, width_px, height_px, notes):
     if enlarged > 1:
         notes.append(
             Message(
-                "The picture is a part of what the camera took: a 35 mm equivalent of {used} mm was used "
-                "instead of {recorded} mm. Give the horizontal field of view in HFOV_FIELD where it is known better.",
+                "The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of "
+                "{recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.",
                 used=f"{length * enlarged:.0f}",
                 recorded=f"{length:.0f}",
             )

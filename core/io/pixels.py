@@ -56,7 +56,7 @@ def decode(path, kind, max_side_px=None):
             if pixels is not None:
                 return pixels, size
     except MemoryError:
-        reason = Message("it is too large for this computer's memory. Reduce the picture.")
+        reason = Message("it is too large for this computer's memory. Reduce its size.")
         raise UnreadablePhotoError(path, reason) from None
     raise _undecodable(path, kind)
 

@@ -72,11 +72,20 @@ def _dem(path, dataset, band, crs):
     if not 1 <= band <= dataset.RasterCount:
         count = dataset.RasterCount
         raise UnusableDemError(
-            Message("The DEM {path} has {count} band(s), and no band {band}.", path=path, count=count, band=band)
+            Message(
+                "The DEM {path} has {count} band(s), but no band {band}. Choose another band.",
+                path=path,
+                count=count,
+                band=band,
+            )
         )
     if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
         raise UnusableDemError(
-            Message("Band {band} of {path} holds complex numbers, not elevations.", band=band, path=path)
+            Message(
+                "Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.",
+                band=band,
+                path=path,
+            )
         )
     dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
     dem._inspect()

@@ -64,7 +64,7 @@ def write_photo(path, pixels, metadata, quality=92):
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in HEIC_SUFFIXES + JPEG_SUFFIXES:
-        raise OutputError(Message("The photo {path} cannot be written: name it .jpg or .heic.", path=path))
+        raise OutputError(Message("The photo {path} cannot be written: its name must end in .jpg or .heic.", path=path))
     pixels = np.asarray(pixels)
     if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] != 3:
         raise ValueError(f"pixels must be uint8 (height, width, 3), not {pixels.dtype} {pixels.shape}")

@@ -89,9 +89,16 @@ def landmark_notes(landmarks, camera, pose):
         x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)
         if np.isfinite(x):
             count = f"{np.hypot(x - mark.x_px, y - mark.y_px):.0f}"
-            note = Message("Landmark {number} is met to within {count} pixels.", number=number, count=count)
+            note = Message(
+                "Landmark {number} lies {count} pixels from its predicted position.", number=number, count=count
+            )
         else:
             count = f"{abs(difference(mark.azimuth_deg, pose.heading_deg)):.0f}"
-            note = Message("Landmark {number} is met to within {count} degrees.", number=number, count=count)
+            note = Message(
+                "Landmark {number} lies outside the view, {count} degrees in azimuth from the heading. Check the "
+                "landmark and the position.",
+                number=number,
+                count=count,
+            )
         notes.append(note)
     return tuple(notes)

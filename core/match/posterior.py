@@ -158,24 +158,24 @@ def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=Fals
     best = probability[0]
     if finding.relief_deg < options.min_relief_deg and not has_landmarks:
         return "rejected", Message(
-            "The horizon is almost straight here, which fits many headings. Give an approximate heading or a landmark."
+            "The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark."
         )
     if best >= options.accept_at:
         return "accepted", Message(
-            "The horizon fits along {share} % of the columns, and no other heading comes near.",
+            "The DEM horizon matches the skyline in {share} % of the columns; no other heading scores close.",
             share=f"{100 * finding.explained:.0f}",
         )
     if best < options.reject_below:
         return "rejected", Message(
-            "No heading explains the skyline. Check position and field of view, or give a sky mask, a drawn skyline, "
-            "a landmark or an approximate heading."
+            "No heading fits the skyline. Check the position and the field of view, or give a sky mask, a "
+            "drawn skyline, a landmark or an approximate heading."
         )
     if len(probability) > 1 and probability[1] > 0.5 * (1 - best):
         return "ambiguous", Message(
-            "{heading} degrees fits nearly as well. Compare the overlays, or give an approximate heading or a "
-            "landmark.",
+            "A heading of {heading} degrees fits nearly as well. Compare the overlays, or give an approximate"
+            " heading or a landmark.",
             heading=f"{wrap_360(finding.heading_deg[1]):.0f}",
         )
     return "ambiguous", Message(
-        "The fit is weak. Look at the overlay; an approximate heading, a landmark or a sky mask would decide it."
+        "The fit is weak. Check the overlay, or give an approximate heading, a landmark or a sky mask."
     )

@@ -32,7 +32,8 @@ LEAST_COLUMNS_SHARE = 0.05
 """Fewer columns with evidence than this share are not worth a search."""
 
 BEHIND_NOTE = Message(
-    "The line that stands out most is a near crest by the DEM; the fainter line behind it was taken for the skyline."
+    "According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line "
+    "behind it was used as the skyline."
 )
 
 
@@ -157,8 +158,8 @@ def _edge_notes(answers):
     if share < 0.2:
         return ()
     note = Message(
-        "In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; "
-        "a larger DEM would make the heading surer.",
+        "In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use "
+        "a larger DEM to make the heading more certain.",
         share=f"{100 * share:.0f}",
     )
     return (note,)

@@ -98,7 +98,11 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
     curve, tilt = correlate(heading, offset[valid], elevation[valid], horizon, progress)
     if not np.isfinite(curve).any():
         return Orientation(
-            "rejected", Message("The skyline or the DEM's horizon is a straight line, which cannot be matched.")
+            "rejected",
+            Message(
+                "The skyline or the DEM's horizon is a straight line, which cannot be matched. Use a photo that "
+                "shows a mountain skyline."
+            ),
         )
     peaks = curve_peaks(heading, curve, options.peak_separation_deg)
     camera = Camera(skyline.width_px, skyline.height_px, focal_of_fov_px(skyline.width_px, hfov_deg))
@@ -106,7 +110,7 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
     first, second = curve[peaks[0]], curve[peaks[1]] if len(peaks) > 1 else None
     return Orientation(
         "ambiguous",
-        Message("The paper's method does not test its answer: compare the overlay, or use the robust method."),
+        Message("The paper method does not test its result. Check the overlay, or use the robust method."),
         candidates,
         curve_heading_deg=heading,
         curve_score=curve,

@@ -84,7 +84,7 @@ def _advice(photo):
 def _answer(photo, say):
     orientation, best = photo.orientation, photo.orientation.best
     heading, interval = best.pose.heading_deg % 360, interval_words(orientation, say)
-    doubt = {"rejected": say("best guess"), "ambiguous": say("likeliest of several")}.get(status_of(photo), "")
+    doubt = {"rejected": say("best guess"), "ambiguous": say("most likely of several")}.get(status_of(photo), "")
     remark = fill("remark", words=doubt) if doubt else ""
     facts = [
         (say("Pitch"), degrees(best.pose.pitch_deg, 1, signed=True)),
@@ -198,7 +198,7 @@ def _ground(panels, picture_px, say):
         url = data_url(encode_jpeg(small, 80), "jpeg")
     except MissingPackageError:
         return ""  # the overlay's place has said so
-    return fill("ground", title=say("Where it looks, and the ground it shows"), url=url, width=width, height=height)
+    return fill("ground", title=say("Camera heading and visible ground"), url=url, width=width, height=height)
 
 
 def _more(photo, extras, figures, say):
@@ -208,5 +208,5 @@ def _more(photo, extras, figures, say):
     if photo.horizon is not None and figures:
         heading, hfov = (best.pose.heading_deg, best.camera.hfov_deg) if best else (None, None)
         profile = horizon_profile_svg(photo.horizon, heading, hfov, width=1280, height=210, say=say)
-    title = say("All numbers, and the DEM's horizon") if profile else say("All numbers")
+    title = say("All numbers and the DEM horizon") if profile else say("All numbers")
     return fill("more", title=title, tables=tables, profile=Html(profile))

@@ -128,12 +128,12 @@ def fact_groups(photo, extras=None, say=str):
         Plain words, not escaped; groups without any known value are left out.
     """
     groups = [
-        (say("Further"), [(str(label), str(value)) for label, value in (extras or {}).items()]),
+        (say("Other values"), [(str(label), str(value)) for label, value in (extras or {}).items()]),
         (say("Pose"), _pose(photo, say)),
         (say("Match"), _match(photo, say)),
         (say("Lens"), _lens(photo, say)),
         (say("Compass"), _compass(photo, say)),
-        (say("Place and eye"), _place(photo, say)),
+        (say("Position and elevation"), _place(photo, say)),
         (say("DEM horizon"), _horizon(photo, say)),
         (say("File"), _file(photo, say)),
     ]
@@ -226,7 +226,7 @@ def _compass(photo, say):
     reference = {"T": say("from true north"), "M": say("from magnetic north")}.get(code, say("reference unknown"))
     return [
         (say("Recorded"), f"{azimuth(recorded)} ({reference})" if is_known(recorded) else "–"),
-        (say("Turned to true north"), azimuth(photo.compass_true_deg)),
+        (say("Converted to true north"), azimuth(photo.compass_true_deg)),
         (say("Recorded minus found"), degrees(compass_difference_deg(photo), 1, signed=True)),
     ]
 
@@ -270,7 +270,7 @@ def _horizon(photo, say):
         ]
     return [
         *rows,
-        (say("Cell"), with_unit(horizon.cell_m, "m", 1)),
+        (say("Cell size"), with_unit(horizon.cell_m, "m", 1)),
         (say("Grid north from true north"), degrees(photo.convergence_deg, 2, signed=True)),
     ]
 

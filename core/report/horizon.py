@@ -89,7 +89,7 @@ def _facts(horizon, sky_view_factor, say):
         (say("Cut by DEM edge"), clipped, percent(clipped)),
         (say("Void"), void, percent(void)),
         (say("Eye elevation"), horizon.eye_elevation_m, with_unit(horizon.eye_elevation_m, "m", 1)),
-        (say("Cell"), horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
+        (say("Cell size"), horizon.cell_m, with_unit(horizon.cell_m, "m", 1)),
     ]
 
 

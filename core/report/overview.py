@@ -23,7 +23,7 @@ def columns(say):
         (say("Heading"), True),
         (say("90 %"), True),
         (say("Within 3°"), True),
-        (say("Second"), True),
+        (say("Second best"), True),
         (say("Compass − found"), True),
         (say("Pitch"), True),
         (say("Roll"), True),

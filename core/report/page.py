@@ -138,7 +138,8 @@ class PageWriter:
         say = self._say
         made_by = say("Made by {software}.").format(software=self._software) + " " if self._software else ""
         return made_by + say(
-            "This page is complete in itself and loads nothing from a network. Keys: j next photo, k previous."
+            "This page is self-contained and loads nothing from the network. Keys: j for the next photo, k "
+            "for the previous one."
         )
 
     def discard(self):

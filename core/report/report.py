@@ -76,7 +76,7 @@ class ReportWriter(PageWriter):
         """The plan of the stations, folded in; the first thousand of them."""
         say = self._say
         plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
-        title = say("Where the photographs stand and look")
+        title = say("Camera positions and headings")
         return fill("panel", title=title, body=Html(plan)) if plan else Html()
 
     def _left_out(self):
@@ -85,8 +85,9 @@ class ReportWriter(PageWriter):
             return ""
         say = self._say
         words = say(
-            "{count} photographs have numbers but no figures here, to keep the page usable: a report draws the first "
-            "{most} in full ({accepted} accepted ones). Run them in smaller groups to see them all."
+            "{count} photographs are shown without figures, to keep this page usable. A report has figures "
+            "for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to "
+            "get figures for all of them."
         ).format(count=missing, most=MOST_WITH_FIGURES, accepted=MOST_ACCEPTED_WITH_FIGURES)
         return fill("left_out", words=long_text(words))
 

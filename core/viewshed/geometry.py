@@ -23,7 +23,10 @@ import numpy as np
 from ..base.errors import UnusableDemError
 from ..base.messages import Message
 
-FOLDED = Message("The DEM's coordinate system folds sight lines here; use a projected one such as UTM.")
+FOLDED = Message(
+    "The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected "
+    "coordinate system, such as UTM."
+)
 NODES = 65
 """Nodes of the tables per side."""
 
