@@ -114,6 +114,13 @@ class ArrayTerrain(Terrain):
 
     METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 
+    def __repr__(self):
+        rows, cols = self.shape
+        known = self.elevation_m[np.isfinite(self.elevation_m)]
+        heights = f"{known.min():.0f} to {known.max():.0f} m" if known.size else "no elevations"
+        place = f"centre {self.longitude_deg:.5f}, {self.latitude_deg:.5f}"
+        return f"<ArrayTerrain: {rows} x {cols} cells of {self.cell_m:g} m, {heights}, {place}>"
+
     @property
     def shape(self):
         """(rows, columns)."""

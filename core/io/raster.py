@@ -116,6 +116,11 @@ class Dem(Terrain):
         masked = self._band.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA)
         self._mask = self._band.GetMaskBand() if masked else None
 
+    def __repr__(self):
+        rows, cols = self.shape
+        name, width, height = spatial_reference(self.crs_wkt).GetName(), *map(abs, self.geotransform[1::4])
+        return f"<Dem {os.path.basename(self.path)}: {rows} x {cols} cells of {width:.6g} x {height:.6g}, {name}>"
+
     def read(self, window):
         """See `Terrain.read`: float32 metres of the window, NaN for nodata, implausible values and void zeros."""
         out = np.empty((window.rows, window.cols), np.float32)
