@@ -43,7 +43,8 @@ def test_a_run_writes_points_report_and_viewsheds(scene, run):
     ogr = pytest.importorskip("osgeo.ogr")
     gdal = pytest.importorskip("osgeo.gdal")
     folder, done = run
-    rows = {row["filename"]: row for row in (f.items() for f in ogr.Open(str(folder / "photos.gpkg")).GetLayer(0))}
+    source = ogr.Open(str(folder / "photos.gpkg"))
+    rows = {row["filename"]: row for row in (feature.items() for feature in source.GetLayer(0))}
     assert sorted(rows) == ["damaged", "north", "west"]
     for name, pose in scene.truth.items():
         assert rows[name]["status"] == "accepted"
@@ -196,7 +197,7 @@ def test_horizon_and_viewshed_of_a_place(scene, tmp_path, capsys):
     rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
     assert len(rows) == 3600 and float(rows[900]["azimuth_deg"]) == 90.0
     assert cli.main(["horizon", *place, "--max-distance", "20000", "-o", str(tmp_path / "h.csv")]) == 0
-    assert list(csv.DictReader(open(tmp_path / "h.csv", newline="", encoding="utf-8"))) == rows
+    assert list(csv.DictReader((tmp_path / "h.csv").read_text(encoding="utf-8").splitlines())) == rows
     whole, part = str(tmp_path / "whole.tif"), str(tmp_path / "part.tif")
     assert cli.main(["viewshed", *place, "-o", whole, "--max-distance", "8000"]) == 0
     assert "seen" in capsys.readouterr().err
@@ -220,7 +221,7 @@ class Terminal(io.StringIO):
 def test_the_bar_is_drawn_on_terminals_only(monkeypatch):
     terminal, file, quiet = Terminal(), io.StringIO(), Terminal()
     monkeypatch.setattr(Bar, "PAUSE_S", -1.0)
-    for stream, bar in ((terminal, Bar(terminal)), (file, Bar(file)), (quiet, Bar(quiet, quiet=True))):
+    for bar in (Bar(terminal), Bar(file), Bar(quiet, quiet=True)):
         bar.label = "of 2 photos"
         bar.report(0.5)
         bar.say("one")
