@@ -23,7 +23,7 @@ from .base.model import HorizonProfile, Orientation, OrientedPhoto, Photo, Photo
 from .base.optional import require
 from .base.posed import PosedPhoto
 from .base.progress import Progress, ProgressLike, as_progress, subtask
-from .base.terrain import ArrayTerrain, Observer, Terrain
+from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
 from .batch import PREVIEW_PX, HorizonCache, LandmarkHint, PhotoRequest, orient_request
@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from .io.raster import Dem
+
+    DemLike = Union[Dem, ArrayTerrain]
+    Sector = Union[FullCircle, Wedge, PhotoFrame]
 
 __all__ = [
     "ArrayTerrain", "Cancelled", "FullCircle", "HorizonOptions", "HorizonProfile", "LandmarkHint", "Observer",
@@ -130,7 +133,7 @@ def dem_from_array(
 
 def orient(
     photo: PhotoLike,
-    dem: Terrain,
+    dem: DemLike,
     *,
     method: str | None = None,
     compass: str | None = None,
@@ -180,7 +183,7 @@ def orient(
 
 def orient_many(
     photos: PathLike | Iterable[PhotoLike],
-    dem: Terrain,
+    dem: DemLike,
     *,
     method: str | None = None,
     compass: str | None = None,
@@ -224,7 +227,7 @@ def orient_many(
 
 
 def horizon_profile(
-    dem: Terrain,
+    dem: DemLike,
     observer: Observer | Sequence[float],
     options: HorizonOptions | None = None,
     progress: ProgressLike = None,
@@ -250,9 +253,9 @@ def horizon_profile(
 
 
 def viewshed(
-    dem: Terrain,
+    dem: DemLike,
     view: OrientedPhoto | PosedPhoto | Observer | Sequence[float],
-    sector: FullCircle | Wedge | PhotoFrame | None = None,
+    sector: Sector | None = None,
     options: ViewshedOptions | None = None,
     progress: ProgressLike = None,
 ) -> Viewshed:
@@ -286,16 +289,14 @@ def viewshed(
     """
     if isinstance(view, OrientedPhoto):
         view = _view(view)
-    if isinstance(view, PosedPhoto):
-        observer, natural = view.observer, PhotoFrame(view.camera, view.pose)
-    else:
-        observer, natural = _observer(view), FullCircle()
-    chosen = natural if sector is None else sector
-    return viewsheds.viewshed(dem, observer, chosen, options or ViewshedOptions(), as_progress(progress))
+    observer = view.observer if isinstance(view, PosedPhoto) else _observer(view)
+    if sector is None:
+        sector = PhotoFrame(view.camera, view.pose) if isinstance(view, PosedPhoto) else FullCircle()
+    return viewsheds.viewshed(dem, observer, sector, options or ViewshedOptions(), as_progress(progress))
 
 
 def place(
-    view: OrientedPhoto | PosedPhoto, dem: Terrain, x_px: Any, y_px: Any, max_distance_m: float = 60_000.0
+    view: OrientedPhoto | PosedPhoto, dem: DemLike, x_px: Any, y_px: Any, max_distance_m: float = 60_000.0
 ) -> tuple[np.ndarray, np.ndarray]:
     """Find where pixels lie on the map; `photo.view.place(dem, x_px, y_px)` does the same.
 
@@ -360,7 +361,7 @@ def overlay(photo: OrientedPhoto, width_px: int = 1280, evidence: bool = True, l
 
 
 def simulate(
-    dem: Terrain,
+    dem: DemLike,
     observer: Observer | Sequence[float],
     scene: SceneOptions | None = None,
     size_px: tuple[int, int] = (800, 600),
@@ -471,12 +472,12 @@ def save_viewshed(seen: Viewshed, dem: Dem, path: PathLike, facts: dict[str, Any
 
 
 def _options(method: str | None, compass: str | None, options: OrientOptions | None) -> OrientOptions:
-    named = {name: value for name, value in (("method", method), ("compass", compass)) if value is not None}
-    return replace(options or OrientOptions(), **named)
+    options = options or OrientOptions()
+    return replace(options, method=method or options.method, compass=compass or options.compass)
 
 
 def _orient(
-    photo: PhotoLike, dem: Terrain, options: OrientOptions, cache: HorizonCache, progress: Progress, facts: dict
+    photo: PhotoLike, dem: DemLike, options: OrientOptions, cache: HorizonCache, progress: Progress, facts: dict
 ) -> OrientedPhoto:
     taken = _taken(photo, None if options.method == "paper" else PREVIEW_PX)
     request = replace(photo, **facts) if isinstance(photo, PhotoRequest) else PhotoRequest(_path(photo), **facts)

@@ -142,7 +142,7 @@ def _define(layer: Any, fields: list[FieldSpec]) -> None:
         definition = ogr.FieldDefn(spec.name, KINDS[spec.kind])
         if spec.kind == "yes":
             definition.SetSubType(ogr.OFSTBoolean)
-        if hasattr(definition, "SetAlternativeName"):  # GDAL 3.2
+        if hasattr(definition, "SetAlternativeName"):  # GDAL 3.2; GeoPackages keep it from a later version on
             definition.SetAlternativeName(spec.alias)
         layer.CreateField(definition)
 

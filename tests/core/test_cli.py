@@ -16,7 +16,6 @@ import pytest
 import skyline_viewshed
 from skyline_viewshed.core import cli
 from skyline_viewshed.core.base.angles import difference
-from skyline_viewshed.core.base.terminal import Bar
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT / "build" / "plugins")}
@@ -182,14 +181,6 @@ def test_ctrl_c_leaves_nothing_half_written(scene, tmp_path, delay_s):
     assert all(path.parent.name == "seen" and path.suffix == ".tif" for path in left), left
 
 
-def test_a_second_ctrl_c_stops_at_once():
-    bar = Bar(io.StringIO())
-    bar.interrupt(signal.SIGINT, None)
-    assert bar.cancelled()
-    with pytest.raises(KeyboardInterrupt):
-        bar.interrupt(signal.SIGINT, None)
-
-
 def test_horizon_and_viewshed_of_a_place(scene, tmp_path, capsys):
     gdal = pytest.importorskip("osgeo.gdal")
     place = [str(scene.dem), *map(str, scene.positions["north"])]
@@ -211,23 +202,3 @@ def test_horizon_and_viewshed_of_a_place(scene, tmp_path, capsys):
 def test_photos_of_one_name_keep_viewsheds_of_their_own():
     taken = set()
     assert [cli._unused(stem, taken) for stem in ("a", "A", "a", "b")] == ["a", "A_2", "a_3", "b"]
-
-
-class Terminal(io.StringIO):
-    def isatty(self):
-        return True
-
-
-def test_the_bar_is_drawn_on_terminals_only(monkeypatch):
-    terminal, file, quiet = Terminal(), io.StringIO(), Terminal()
-    monkeypatch.setattr(Bar, "PAUSE_S", -1.0)
-    for bar in (Bar(terminal), Bar(file), Bar(quiet, quiet=True)):
-        bar.label = "of 2 photos"
-        bar.report(0.5)
-        bar.say("one")
-        bar.say("wrong", always=True)
-        bar.clear()
-    assert "[###############...............]  50 % of 2 photos" in terminal.getvalue()
-    assert terminal.getvalue().endswith("one\nwrong\n")
-    assert file.getvalue() == "one\nwrong\n"
-    assert quiet.getvalue() == "wrong\n"
