@@ -19,7 +19,7 @@ from .base.errors import MissingMetadataError, MissingPackageError, PhotoError
 from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import SILENT, subtask
-from .base.terrain import ArrayTerrain, Observer, eye_elevation_m, ground_elevation_m
+from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.inner import inner_terrain
 from .io.photo import read_photo
@@ -256,7 +256,7 @@ def _hints(request, metadata, dem, observer, compass_deg):
 
 def _direction(hint, dem, observer):
     """Direction of a landmark's map point from the eye."""
-    east, north = _local(hint, dem, observer)
+    east, north = dem.local_of(observer, hint.longitude_deg, hint.latitude_deg)
     elevation = hint.elevation_m
     if elevation is None:
         elevation = ground_elevation_m(dem, dem.frame(hint.longitude_deg, hint.latitude_deg, 1_000.0))
@@ -265,17 +265,6 @@ def _direction(hint, dem, observer):
     rise = elevation - apparent_drop_m(distance) - eye_elevation_m(dem, frame, observer)
     azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
     return Landmark(hint.x_px, hint.y_px, azimuth, float(np.degrees(np.arctan2(rise, distance))), hint.sigma_px)
-
-
-def _local(hint, dem, observer):
-    """East and north of a landmark from the observer [m]."""
-    if isinstance(dem, ArrayTerrain):  # has its own way from degrees to metres, and needs no PROJ
-        frame = dem.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
-        return frame.to_local(*dem.pixel_of(hint.longitude_deg, hint.latitude_deg))
-    from .io.crs import WGS84, Transformer, local_plane  # arrays alone need no GDAL
-
-    plane = local_plane(observer.longitude_deg, observer.latitude_deg)
-    return Transformer(WGS84, plane)(hint.longitude_deg, hint.latitude_deg)
 
 
 def _eye_elevation_m(request, metadata):

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Callable, ClassVar
 from .angles import wrap_360
 from .posed import PosedPhoto
 from .terrain import Observer
-from .uncertainty import PoseUncertainty
 
 
 class PhotoAnswer:
@@ -95,8 +94,7 @@ class PhotoAnswer:
         best, observer = self.orientation.best, self.observer
         if best is None or observer is None:
             return None
-        interval, uncertainty = self.heading_interval_deg, PoseUncertainty()
-        if interval is not None:
-            uncertainty = uncertainty.with_heading_interval(*interval)
         pose = replace(best.pose, heading_deg=float(wrap_360(best.pose.heading_deg)))
-        return PosedPhoto(best.camera, pose, observer, uncertainty, self.path or None)
+        posed = PosedPhoto(best.camera, pose, observer, path=self.path or None)
+        interval = self.heading_interval_deg
+        return posed if interval is None else posed.with_heading_interval(*interval)

@@ -62,7 +62,8 @@ def install_hint(module):
     """Say in one sentence how to install a package: into this Python, or into the one that QGIS brings."""
     package = PIP_NAMES.get(module, module)
     if "qgis" not in sys.modules:
-        return f"Run: python -m pip install {package} (or install your distribution's package)"
+        command = f"python -m pip install {package}"
+        return Message("Run: {command} (or install your distribution's package)", command=command)
     if sys.platform == "win32":
         return Message("In the OSGeo4W Shell run: {command}", command=f"python -m pip install --user {package}")
     if sys.platform == "darwin":

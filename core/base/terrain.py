@@ -142,6 +142,11 @@ class ArrayTerrain(Terrain):
             size=3,
         )
 
+    def local_of(self, observer, longitude_deg, latitude_deg):
+        """True (east, north) of a position from an observer [m]."""
+        frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
+        return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
+
     def pixel_of(self, longitude_deg, latitude_deg):
         """(col, row) of a position [pixels]."""
         rows, cols = self.shape

@@ -12,7 +12,7 @@ from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
 from ..base.messages import Message
 from ..base.terrain import Terrain, Window
-from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
+from .crs import WGS84, Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
 from .georeference import crs_of, geotransform_of
 
@@ -205,6 +205,11 @@ class Dem(Terrain):
             return self._pixel(x if wrap is None else wrap(x), y)
 
         return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
+
+    def local_of(self, observer, longitude_deg, latitude_deg):
+        """True (east, north) of a WGS 84 position from an observer [m]."""
+        plane = local_plane(observer.longitude_deg, observer.latitude_deg)
+        return Transformer(WGS84, plane)(longitude_deg, latitude_deg)
 
     def pixel_of(self, longitude_deg, latitude_deg):
         """(col, row) of WGS 84 positions [pixels]; NaN where the CRS does not reach."""
