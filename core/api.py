@@ -19,6 +19,7 @@ import numpy as np
 from .base.camera import Camera, Pose, focal_of_fov_px
 from .base.errors import Cancelled, PhotoError, SkylineViewshedError, TerrainError
 from .base.imaging import shrink_to
+from .base.messages import Message
 from .base.model import HorizonProfile, Orientation, OrientedPhoto, Photo, PhotoMetadata
 from .base.optional import require
 from .base.posed import PosedPhoto
@@ -64,7 +65,6 @@ PathLike = Union[str, "os.PathLike[str]"]
 PhotoLike = Union[PathLike, np.ndarray, Photo, PhotoRequest]
 """A file, pixels (H, W, 3), a `Photo`, or a file with what is known about it."""
 
-UNEXPECTED = "An unexpected error occurred on this photo ({}). Please report it and attach the log."
 IN_PYTHON = {
     "Give it by the geometry of a photo point layer.": "Give longitude_deg and latitude_deg.",
     "HFOV_FIELD": "hfov_deg",
@@ -221,8 +221,9 @@ def orient_many(
             raise
         except Exception as error:  # our own fault, but no reason to lose the other photographs
             logging.getLogger(__name__).exception("%s", _path(photo))
-            message = UNEXPECTED.format(f"{type(error).__name__}: {error}")
-            yield OrientedPhoto(_path(photo), Orientation("failed", message))
+            text = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
+            notes = (f"{type(error).__name__}: {error}",)
+            yield OrientedPhoto(_path(photo), Orientation("failed", text, notes=notes))
         whole.report((index + 1) / len(listed))
 
 

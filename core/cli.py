@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import logging
 import os
 import signal
 import sys
@@ -51,7 +52,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = _parser().parse_args(arguments)
     bar = Bar(sys.stderr, given.quiet)
     before = signal.signal(signal.SIGINT, bar.interrupt)
+    logger = logging.getLogger(__name__.split(".")[0])
+    log: logging.Handler = logging.NullHandler()
     try:
+        log = logging.FileHandler(given.log, encoding="utf-8") if given.log else log
+        logger.addHandler(log)
         return given.run(given, bar)
     except (Cancelled, KeyboardInterrupt):
         bar.say(f"{PROGRAM}: interrupted", always=True)
@@ -61,6 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return WRONG_USAGE
     finally:
         bar.clear()
+        logger.removeHandler(log)
+        log.close()
         signal.signal(signal.SIGINT, before)
 
 
@@ -284,4 +291,5 @@ def _add_common(parser: argparse.ArgumentParser, defaults: Any) -> None:
         "--max-distance", type=float, default=defaults.max_distance_m, metavar="M",
         help="search range (default: %(default)g)",
     )  # fmt: skip
+    parser.add_argument("--log", metavar="FILE", help="write the details of unexpected errors")
     parser.add_argument("-q", "--quiet", action="store_true", help="say only what went wrong")

@@ -194,7 +194,8 @@ def test_no_photo_ends_a_run(scene, mountains, pixels, monkeypatch, caplog):
     monkeypatch.setattr(api, "orient_request", faulty)
     photos = list(sv.orient_many([pixels, "bad.jpg", "missing.jpg"], mountains, **FACTS))
     assert [photo.status for photo in photos] == ["accepted", "failed", "failed"]
-    assert "ZeroDivisionError: by zero" in photos[1].message and photos[1].path == "bad.jpg"
+    assert photos[1].message.startswith("An unexpected error occurred on this photo.") and photos[1].path == "bad.jpg"
+    assert photos[1].orientation.notes == ("ZeroDivisionError: by zero",)
     assert "Traceback" in caplog.text
     assert "cannot be read" in photos[2].message
 
@@ -263,8 +264,10 @@ def test_a_viewshed_file_is_known_again(scene, tmp_path):
     photo = sv.orient(scene.folder / "west.jpg", dem)
     seen = sv.viewshed(dem, photo, options=sv.ViewshedOptions(max_distance_m=8_000))
     sv.save_viewshed(seen, dem, tmp_path / "seen.tif")
-    stored = read_viewshed(tmp_path / "seen.tif", dem, fingerprint(dem, photo.observer, seen.sector, seen.options))
-    np.testing.assert_array_equal(stored.values, seen.values)
+    mark = fingerprint(dem, photo.observer, seen.sector, seen.options)
+    window, values = read_viewshed(tmp_path / "seen.tif", dem, mark)
+    assert window == seen.window
+    np.testing.assert_array_equal(values, seen.values)
 
 
 @pytest.mark.parametrize(

@@ -199,6 +199,20 @@ def test_horizon_and_viewshed_of_a_place(scene, tmp_path, capsys):
     assert "lies outside the DEM" in capsys.readouterr().err
 
 
+def test_an_unexpected_error_is_a_sentence_and_its_details_go_to_the_log(scene, tmp_path, capsys, monkeypatch):
+    def faulty(*arguments):
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(cli.api, "orient_request", faulty)
+    arguments = ["orient", str(scene.folder / "north.jpg"), str(scene.dem), "-o", str(tmp_path / "p.csv")]
+    assert cli.main([*arguments, "--log", str(tmp_path / "log.txt")]) == cli.SOME_FAILED
+    said = capsys.readouterr().err
+    assert "north.jpg: An unexpected error occurred on this photo." in said and "Traceback" not in said
+    assert "ZeroDivisionError: by zero" in (tmp_path / "log.txt").read_text(encoding="utf-8")
+    assert "ZeroDivisionError: by zero" in (tmp_path / "p.csv").read_text(encoding="utf-8")
+    assert cli.main([*arguments, "--log", str(tmp_path / "nowhere" / "log.txt")]) == cli.WRONG_USAGE
+
+
 def test_photos_of_one_name_keep_viewsheds_of_their_own():
     taken = set()
     assert [cli._unused(stem, taken) for stem in ("a", "A", "a", "b")] == ["a", "A_2", "a_3", "b"]
