@@ -160,10 +160,9 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
     request : PhotoRequest
     dem : core.io.raster.Dem or core.base.terrain.ArrayTerrain
     options : OrientOptions
-    cache : HorizonCache or None
-    progress : Progress
+    cache, progress : HorizonCache or None, Progress
     photo : core.base.model.Photo or None
-        The picture, where it is in memory already; the file is then not read.
+        In memory; None reads the file.
 
     Returns
     -------
