@@ -110,7 +110,7 @@ def test_pixels_are_placed_where_they_were_drawn(mountains, oriented):
     assert longitude.shape == latitude.shape == (2, 2)
     assert np.isnan(longitude[1, 0]) and np.isnan(latitude[1, 0])
     col, row = mountains.pixel_of(longitude, latitude)
-    true_col, true_row = truth.raster_pixels()
+    true_col, true_row = truth.frame.to_pixel(truth.east_m, truth.north_m)
     ground = np.isfinite(longitude)
     assert ground.sum() == 3
     offset = np.hypot(col - true_col[y, x], row - true_row[y, x])[ground] * mountains.cell_m
