@@ -114,6 +114,10 @@ zip: setup ## Make build/skyline_viewshed.zip from the last commit, ready for th
 	@git archive --format=zip --prefix=skyline_viewshed/i18n/ $(foreach file,$(basename $(wildcard i18n/*.ts)),--add-file=$(file).qm) \
 		--prefix=skyline_viewshed/ -o build/skyline_viewshed.zip HEAD && echo build/skyline_viewshed.zip
 
+.PHONY: wheel
+wheel: setup ## Make build/wheel/*.whl: the core, its Python functions and its command line, for use without QGIS
+	@rm -rf build/wheel && $(PYTHON) -m pip wheel -q --disable-pip-version-check --no-deps -w build/wheel . && ls build/wheel/*.whl
+
 .PHONY: check-package
 check-package: zip ## Hold the zip to the plugin site's rules and run it from an empty profile
 	@$(PYTHON) tools/check_package.py build/skyline_viewshed.zip

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
+from ..core.base.attributes import has_position
 from ..core.base.errors import PhotoError
 from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
@@ -20,7 +21,7 @@ from .shared import parameters as shared
 from .shared.feedback import FeedbackProgress, announce
 from .shared.i18n import in_users_language, tr
 from .shared.outputs import write_features
-from .shared.photo_attributes import attributes_of, has_position, photos_in, point_of
+from .shared.photo_attributes import attributes_of, photos_in, point_of
 from .shared.styling import style_on_completion
 
 

@@ -22,7 +22,6 @@ from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.inner import inner_terrain
-from .io.crs import WGS84, Transformer, local_plane
 from .io.photo import read_photo
 from .match.landmarks import Landmark
 from .match.prior import HeadingPrior, compass_prior, true_heading_deg
@@ -153,16 +152,17 @@ class HorizonCache:
         return self._kept[key]
 
 
-def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT):  # noqa: B008 - frozen
+def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT, photo=None):  # noqa: B008 - frozen
     """Orient one photograph.
 
     Parameters
     ----------
     request : PhotoRequest
-    dem : core.io.raster.Dem
+    dem : core.io.raster.Dem or core.base.terrain.ArrayTerrain
     options : OrientOptions
-    cache : HorizonCache or None
-    progress : Progress
+    cache, progress : HorizonCache or None, Progress
+    photo : core.base.model.Photo or None
+        In memory; None reads the file.
 
     Returns
     -------
@@ -175,14 +175,15 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
         The DEM as a whole cannot be used.
     """
     try:
-        return _orient(request, dem, options, cache or HorizonCache(), progress)
+        if photo is None:
+            photo = read_photo(request.path, None if options.method == "paper" else PREVIEW_PX)
+        return _orient(request, photo, dem, options, cache or HorizonCache(), progress)
     except (PhotoError, MissingPackageError) as error:
         return OrientedPhoto(request.path, Orientation("failed", error.message))
 
 
-def _orient(request, dem, options, cache, progress):
+def _orient(request, photo, dem, options, cache, progress):
     paper = options.method == "paper"
-    photo = read_photo(request.path, None if paper else PREVIEW_PX)
     if request.focal_length_35mm is not None:
         lens = {"focal_length_35mm": request.focal_length_35mm, "focal_sigma": FOCAL_SIGMA}
         photo = replace(photo, metadata=replace(photo.metadata, **lens))
@@ -252,8 +253,7 @@ def _hints(request, metadata, dem, observer, compass_deg):
 
 def _direction(hint, dem, observer):
     """Direction of a landmark's map point from the eye."""
-    plane = local_plane(observer.longitude_deg, observer.latitude_deg)
-    east, north = Transformer(WGS84, plane)(hint.longitude_deg, hint.latitude_deg)
+    east, north = dem.local_of(observer, hint.longitude_deg, hint.latitude_deg)
     elevation = hint.elevation_m
     if elevation is None:
         elevation = ground_elevation_m(dem, dem.frame(hint.longitude_deg, hint.latitude_deg, 1_000.0))

@@ -23,6 +23,8 @@ MAY_ALSO_USE = {"report": {"figures"}}
 """The exceptions to "a room knows base and itself"."""
 OPEN_ENDED = {"base", "io"}
 """Rooms that may hold more than `MOST_FILES` modules."""
+FACE = Path("core/api.py")
+"""The public face: its docstrings, whose examples are run, do not count as lines."""
 MOST_ROOMS, MOST_FILES, MOST_LINES, MOST_LINES_OF_A_METHOD = 16, 16, 300, 60
 
 
@@ -142,6 +144,8 @@ def test_algorithms_do_not_import_algorithms():
 
 def test_modules_and_methods_fit_a_screen():
     lines = {path: len((ROOT / path).read_text(encoding="utf-8").splitlines()) for path in (*CORE, *SHELL)}
+    functions = [node for node in tree_of(FACE).body if isinstance(node, ast.FunctionDef) and ast.get_docstring(node)]
+    lines[FACE] -= sum(node.body[0].end_lineno - node.body[0].lineno + 1 for node in functions)
     assert {str(path): count for path, count in lines.items() if count > MOST_LINES} == {}
     methods = [(path, node) for path in SHELL for node in ast.walk(tree_of(path)) if isinstance(node, ast.FunctionDef)]
     long = [f"{path}: {node.name}" for path, node in methods if node.end_lineno - node.lineno > MOST_LINES_OF_A_METHOD]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from qgis.core import Qgis, QgsField, QgsFields
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
-from .i18n import tr
+from ...core.base.attributes import FieldSpec, photo_fields
+from .i18n import marked, tr
 
 _QT_NAMES = {
     "text": ("QString", "String"),
@@ -15,15 +14,6 @@ _QT_NAMES = {
     "whole": ("Int", "Int"),
     "yes": ("Bool", "Bool"),
 }
-
-
-@dataclass(frozen=True)
-class FieldSpec:
-    """Name, kind ('text', 'real', 'whole', 'yes', 'time') and alias of an attribute."""
-
-    name: str
-    kind: str
-    alias: str
 
 
 def qgis_field(spec):
@@ -85,25 +75,7 @@ def number_or_none(value):
 
 def photo_specs():
     """QGIS's own nine fields of Import geotagged photos, then ours."""
-    return [
-        FieldSpec("photo", "text", tr("Photo")),
-        FieldSpec("filename", "text", tr("Name")),
-        FieldSpec("directory", "text", tr("Folder")),
-        FieldSpec("altitude", "real", tr("GPS altitude (m)")),
-        FieldSpec("direction", "real", tr("Recorded heading (°)")),
-        FieldSpec("rotation", "whole", tr("Rotation by EXIF (°)")),
-        FieldSpec("longitude", "text", tr("Longitude (°)")),
-        FieldSpec("latitude", "text", tr("Latitude (°)")),
-        FieldSpec("timestamp", "time", tr("Taken at (camera's local time)")),
-        FieldSpec("f35", "real", tr("35 mm equivalent focal length (mm)")),
-        FieldSpec("hfov", "real", tr("Horizontal field of view (°)")),
-        FieldSpec("vfov", "real", tr("Vertical field of view (°)")),
-        FieldSpec("width", "whole", tr("Width of the upright picture (px)")),
-        FieldSpec("height", "whole", tr("Height of the upright picture (px)")),
-        FieldSpec("dir_ref", "text", tr("Recorded heading counts from (T true, M magnetic north)")),
-        FieldSpec("h_acc", "real", tr("GPS horizontal error (m)")),
-        FieldSpec("camera", "text", tr("Camera")),
-    ]
+    return photo_fields(marked)
 
 
 def rejected_specs():

@@ -8,6 +8,7 @@ from typing import Any
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsFields, QgsWkbTypes
 
+from ...core.base.attributes import has_position
 from ...core.base.errors import PhotoError
 from ...core.base.progress import checkpoint
 from .feedback import FeedbackProgress
@@ -16,7 +17,7 @@ from .i18n import tr
 from .layers import PointRow, points_fault, read_points
 from .orientation import NUMBER_FIELDS
 from .oriented import oriented_specs
-from .photo_attributes import attributes_of, has_position, photos_in, point_of
+from .photo_attributes import attributes_of, photos_in, point_of
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
 from qgis.core import Qgis
 
-from .i18n import in_users_language, marked, tr
+from .i18n import marked, tr
+from .oriented import in_readers_language
 from .outputs import make_folder_of
 
 
@@ -60,13 +60,6 @@ class PhotoReport:
     def outputs(self):
         """Give the output's name and path."""
         return {"REPORT": self.path} if self.path else {}
-
-
-def in_readers_language(oriented):
-    """The photo with what the core says about it translated."""
-    answer = oriented.orientation
-    notes = tuple(map(in_users_language, answer.notes))
-    return replace(oriented, orientation=replace(answer, message=in_users_language(answer.message), notes=notes))
 
 
 def software(algorithm):

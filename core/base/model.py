@@ -6,16 +6,14 @@ nothing here is ever made up to fill a gap.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from datetime import datetime
 
 import numpy as np
 
-from .angles import wrap_360
+from .answer import PhotoAnswer
 from .camera import FOCAL_SIGMA, Camera, Pose
 from .messages import Message
-from .posed import PosedPhoto
-from .terrain import Observer
 
 
 @dataclass(frozen=True)
@@ -205,8 +203,8 @@ class Orientation:
         return self.candidates[0] if self.candidates else None
 
 
-@dataclass(frozen=True, eq=False)
-class OrientedPhoto:
+@dataclass(frozen=True, eq=False, repr=False)
+class OrientedPhoto(PhotoAnswer):
     """Everything a run learned about one photograph: what shells write to attributes and what the report draws.
 
     Attributes
@@ -251,19 +249,6 @@ class OrientedPhoto:
     convergence_deg: float | None = None
     compass_true_deg: float | None = None
 
-    @property
-    def view(self) -> PosedPhoto | None:
-        """The photograph with its best pose, heading in [0, 360); None where no heading was found."""
-        answer, best = self.orientation, self.orientation.best
-        if best is None or self.longitude_deg is None or self.latitude_deg is None:
-            return None
-        pose = replace(best.pose, heading_deg=float(wrap_360(best.pose.heading_deg)))
-        observer = Observer(self.longitude_deg, self.latitude_deg, eye_elevation_m=self.eye_elevation_m)
-        photo = PosedPhoto(best.camera, pose, observer, path=self.path or None)
-        if answer.heading_lo_deg is None or answer.heading_hi_deg is None:
-            return photo
-        return photo.with_heading_interval(answer.heading_lo_deg, answer.heading_hi_deg)
-
 
 @dataclass(frozen=True, eq=False)
 class HorizonProfile:
@@ -298,3 +283,15 @@ class HorizonProfile:
     eye_elevation_m: float
     cell_m: float
     reach_m: np.ndarray
+
+    def __repr__(self):
+        known = np.isfinite(self.elevation_deg)
+        facts = [f"{len(self.azimuth_deg)} azimuths, eye at {self.eye_elevation_m:.0f} m"]
+        if known.any():
+            elevation, distance = self.elevation_deg[known], self.distance_m[known]
+            facts.append(f"horizon at {elevation.min():.2f}° to {elevation.max():.2f}°")
+            facts.append(f"{distance.min() / 1000:.1f} to {distance.max() / 1000:.1f} km away")
+        if not known.all() or self.clipped.any() or self.void.any():
+            unsure = float(np.mean(~known | self.clipped | self.void))
+            facts.append(f"DEM too small or with voids in {100 * unsure:.0f} % of the directions")
+        return f"<HorizonProfile: {', '.join(facts)}>"

@@ -10,7 +10,8 @@ from contextlib import contextmanager
 from .errors import MissingPackageError
 from .messages import Message
 
-PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exifread": "exifread", "PIL": "Pillow"}
+PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exifread": "exifread", "PIL": "Pillow",
+             "osgeo.gdal": '"skyline-viewshed[gdal]"'}  # fmt: skip
 
 
 def available(module):
@@ -58,8 +59,11 @@ def require(module, feature):
 
 
 def install_hint(module):
-    """Say in one sentence how to install a package on this platform."""
+    """Say in one sentence how to install a package: into this Python, or into the one that QGIS brings."""
     package = PIP_NAMES.get(module, module)
+    if "qgis" not in sys.modules:
+        command = f"python -m pip install {package}"
+        return Message("Run: {command} (or install your distribution's package)", command=command)
     if sys.platform == "win32":
         return Message("In the OSGeo4W Shell run: {command}", command=f"python -m pip install --user {package}")
     if sys.platform == "darwin":

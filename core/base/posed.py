@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Any, Callable, ClassVar
 
 from .camera import Camera, Pose
 from .terrain import Observer
@@ -32,6 +33,9 @@ class PosedPhoto:
     observer: Observer
     uncertainty: PoseUncertainty = field(default_factory=PoseUncertainty)
     path: str | None = None
+
+    place: ClassVar[Callable[..., Any]]
+    """Gives longitude and latitude of pixels. `core.api` supplies the method, since it needs `core.mapping`."""
 
     def with_heading_interval(self, heading_lo_deg: float, heading_hi_deg: float) -> PosedPhoto:
         """Take the heading's uncertainty from its 90 % interval, clockwise from lo to hi [degrees]."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Callable, Protocol, Union
 
 from .errors import Cancelled
 
@@ -27,6 +27,28 @@ class _Silent:
 
 
 SILENT: Progress = _Silent()
+
+
+ProgressLike = Union[Progress, Callable[[float], Any], None]
+"""An object with `report` and `cancelled`, a function of the fraction done, or nothing."""
+
+
+@dataclass(frozen=True)
+class _Function:
+    function: Callable[[float], Any]
+
+    def report(self, fraction: float) -> None:
+        self.function(fraction)
+
+    def cancelled(self) -> bool:
+        return False
+
+
+def as_progress(progress: ProgressLike) -> Progress:
+    """Make a `Progress` of whatever a caller has given."""
+    if progress is None:
+        return SILENT
+    return progress if hasattr(progress, "report") else _Function(progress)
 
 
 @dataclass(frozen=True)

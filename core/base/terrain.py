@@ -114,6 +114,13 @@ class ArrayTerrain(Terrain):
 
     METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 
+    def __repr__(self):
+        rows, cols = self.shape
+        known = self.elevation_m[np.isfinite(self.elevation_m)]
+        heights = f"{known.min():.0f} to {known.max():.0f} m" if known.size else "no elevations"
+        place = f"centre {self.longitude_deg:.5f}, {self.latitude_deg:.5f}"
+        return f"<ArrayTerrain: {rows} x {cols} cells of {self.cell_m:g} m, {heights}, {place}>"
+
     @property
     def shape(self):
         """(rows, columns)."""
@@ -134,6 +141,11 @@ class ArrayTerrain(Terrain):
             radius_m,
             size=3,
         )
+
+    def local_of(self, observer, longitude_deg, latitude_deg):
+        """True (east, north) of a position from an observer [m]."""
+        frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
+        return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
 
     def pixel_of(self, longitude_deg, latitude_deg):
         """(col, row) of a position [pixels]."""

@@ -10,6 +10,8 @@ import numpy as np
 from .frame import LocalFrame
 from .terrain import Window
 
+COUNTED_ROWS = 1024
+
 VISIBLE, UNKNOWN = 1, 255
 """Values of a cell that is seen, and of one of which that is not known; 0 is all else."""
 
@@ -43,6 +45,21 @@ class Viewshed:
     def visible(self) -> np.ndarray:
         """(rows, cols) bool: cells that are certainly seen."""
         return self.values == VISIBLE
+
+    @property
+    def seen_cells(self) -> int | None:
+        """Number of cells that are certainly seen; None where a sink holds them elsewhere."""
+        if self.values is None:
+            return None
+        strips = range(0, self.window.rows, COUNTED_ROWS)
+        return sum(int(np.count_nonzero(self.values[row : row + COUNTED_ROWS, :] == VISIBLE)) for row in strips)
+
+    def __repr__(self) -> str:
+        seen, cells = self.seen_cells, f"{self.window.rows} x {self.window.cols} cells"
+        area_km2 = None if seen is None else seen * self.frame.cell_m**2 / 1e6
+        facts = "values held elsewhere" if seen is None else f"{seen} seen, about {area_km2:.3g} km²"
+        reach = f"range {self.options.max_distance_m / 1000:g} km, eye at {self.eye_elevation_m:.0f} m"
+        return f"<Viewshed: {cells}, {facts}, {reach}>"
 
 
 class Sink:

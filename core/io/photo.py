@@ -23,6 +23,11 @@ def list_photos(folder, recursive=False):
     ------
     SkylineViewshedError
         The folder is missing or closed to us.
+
+    Examples
+    --------
+    >>> [os.path.basename(path) for path in list_photos(".")]
+    ['north.jpg', 'west.jpg']
     """
     found = []
     try:
@@ -46,6 +51,11 @@ def read_metadata(path):
     Raises
     ------
     UnreadablePhotoError
+
+    Examples
+    --------
+    >>> read_metadata("north.jpg").focal_length_35mm
+    28.0
     """
     path = os.fspath(path)
     kind = format_of(path)
@@ -77,6 +87,11 @@ def read_photo(path, max_side_px=None):
     Raises
     ------
     UnreadablePhotoError
+
+    Examples
+    --------
+    >>> read_photo("north.jpg", max_side_px=400).pixels.shape
+    (300, 400, 3)
     """
     path = os.fspath(path)
     kind = format_of(path)

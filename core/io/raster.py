@@ -12,7 +12,7 @@ from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
 from ..base.messages import Message
 from ..base.terrain import Terrain, Window
-from .crs import Transformer, from_wgs84, local_plane, to_wgs84, x_period
+from .crs import WGS84, Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
 from .georeference import crs_of, geotransform_of
 
@@ -125,6 +125,11 @@ class Dem(Terrain):
         masked = self._band.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA)
         self._mask = self._band.GetMaskBand() if masked else None
 
+    def __repr__(self):
+        rows, cols = self.shape
+        name, width, height = spatial_reference(self.crs_wkt).GetName(), *map(abs, self.geotransform[1::4])
+        return f"<Dem {os.path.basename(self.path)}: {rows} x {cols} cells of {width:.6g} x {height:.6g}, {name}>"
+
     def read(self, window):
         """See `Terrain.read`: float32 metres of the window, NaN for nodata, implausible values and void zeros."""
         out = np.empty((window.rows, window.cols), np.float32)
@@ -209,6 +214,11 @@ class Dem(Terrain):
             return self._pixel(x if wrap is None else wrap(x), y)
 
         return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
+
+    def local_of(self, observer, longitude_deg, latitude_deg):
+        """True (east, north) of a WGS 84 position from an observer [m]."""
+        plane = local_plane(observer.longitude_deg, observer.latitude_deg)
+        return Transformer(WGS84, plane)(longitude_deg, latitude_deg)
 
     def pixel_of(self, longitude_deg, latitude_deg):
         """(col, row) of WGS 84 positions [pixels]; NaN where the CRS does not reach."""
