@@ -19,10 +19,10 @@ class Progress(Protocol):
 
 
 class _Silent:
-    def report(self, fraction):
+    def report(self, fraction: float) -> None:
         pass
 
-    def cancelled(self):
+    def cancelled(self) -> bool:
         return False
 
 
@@ -35,10 +35,10 @@ class _Subtask:
     start: float
     stop: float
 
-    def report(self, fraction):
+    def report(self, fraction: float) -> None:
         self.parent.report(self.start + (self.stop - self.start) * fraction)
 
-    def cancelled(self):
+    def cancelled(self) -> bool:
         return self.parent.cancelled()
 
 

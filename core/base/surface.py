@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .camera import to_camera_axes
-from .terrain import Window, bilinear
+from .frame import LocalFrame
+from .terrain import Terrain, Window, bilinear
+from .view import View
 
 TILE_CELLS = 1024
 
 
-def sample_pixels(terrain, col_px, row_px):
+def sample_pixels(terrain: Terrain, col_px: ArrayLike, row_px: ArrayLike) -> np.ndarray:
     """Elevation at pixels of the whole raster [m], bilinear; NaN outside and beside voids. Shapes broadcast."""
     col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
     col, row = col_px.ravel(), row_px.ravel()
@@ -29,18 +34,18 @@ def sample_pixels(terrain, col_px, row_px):
     return elevation.reshape(col_px.shape)
 
 
-def _around(row, col, shape):
+def _around(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> Window:
     top, left = int(np.floor(row.min())), int(np.floor(col.min()))
     bottom, right = int(np.ceil(row.max())) + 1, int(np.ceil(col.max())) + 1
     return Window(top - 1, left - 1, bottom - top + 2, right - left + 2).clipped(shape)
 
 
-def elevation_at(terrain, frame, east_m, north_m):
+def elevation_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
     """Elevation of the surface at local places [m]; NaN outside and beside voids."""
     return sample_pixels(terrain, *frame.to_pixel(east_m, north_m))
 
 
-def normal_at(terrain, frame, east_m, north_m):
+def normal_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
     """Unit normal of the surface at local places.
 
     Parameters
@@ -64,7 +69,7 @@ def normal_at(terrain, frame, east_m, north_m):
     return normal / np.linalg.norm(normal, axis=0)
 
 
-def incidence_deg(normal, azimuth_deg, elevation_deg):
+def incidence_deg(normal: np.ndarray, azimuth_deg: ArrayLike, elevation_deg: ArrayLike) -> np.ndarray:
     """Angle between the surface's normal and the way back to the eye [degrees]: 0 head-on, 90 grazing.
 
     `azimuth_deg` and `elevation_deg` are the ray's, as the eye sends it.
@@ -81,7 +86,7 @@ GRAZING_COSINE = 0.02
 """Beyond 88.9 degrees of incidence the distance along the line of sight is not told apart from infinite."""
 
 
-def local_places(frame, row, col):
+def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them."""
     if frame.remainder_px is None:
         return frame.to_local(col, row)
@@ -93,7 +98,7 @@ def local_places(frame, row, col):
     return bilinear(east, *place), bilinear(north, *place)
 
 
-def patch_around(terrain, row, col):
+def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Elevations around scattered DEM pixels of one tile, and where in it they lie."""
     top, left = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
     window = Window(top, left, int(np.ceil(row.max())) + 2 - top, int(np.ceil(col.max())) + 2 - left)
@@ -101,7 +106,9 @@ def patch_around(terrain, row, col):
     return terrain.read(window), row - window.row, col - window.col
 
 
-def normal_of(z, row, col, frame):
+def normal_of(
+    z: np.ndarray, row: np.ndarray, col: np.ndarray, frame: LocalFrame
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(east, north, up) of the surface's unit normal at the cells nearest to places of a patch."""
     rows, cols = z.shape
     r = np.clip(np.rint(row).astype(np.intp), 0, rows - 1)
@@ -118,7 +125,9 @@ def normal_of(z, row, col, frame):
     return -dz_east / length, -dz_north / length, 1 / length
 
 
-def sampling_distance_m(view, east, north, rise, normal):
+def sampling_distance_m(
+    view: View, east: np.ndarray, north: np.ndarray, rise: np.ndarray, normal: Sequence[np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
     """Ground sampling distance: metres of ground per pixel, across and along the line of sight.
 
     Parameters
