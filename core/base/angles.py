@@ -30,7 +30,19 @@ def difference(angle_deg: ArrayLike, reference_deg: ArrayLike) -> FloatOrArray:
 
 
 def in_wedge(azimuth_deg: ArrayLike, centre_deg: ArrayLike, width_deg: ArrayLike) -> FloatOrArray:
-    """Tell which azimuths lie within `width_deg` around `centre_deg`, edges included, across north too."""
+    """Tell which azimuths lie in a wedge, edges included, across north too.
+
+    Parameters
+    ----------
+    azimuth_deg : float or array
+        [degrees].
+    centre_deg, width_deg : float or array
+        Middle and full width of the wedge [degrees].
+
+    Returns
+    -------
+    bool or bool array
+    """
     return np.abs(difference(azimuth_deg, centre_deg)) <= np.divide(width_deg, 2.0)
 
 

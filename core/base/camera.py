@@ -119,6 +119,13 @@ def focal_of_fov_px(side_px: float, fov_deg: float) -> float:
 def focal_from_35mm_px(width_px: float, height_px: float, focal_length_35mm: float) -> float:
     """Focal length [pixels] from EXIF's 35 mm equivalent by the diagonal rule, for any aspect and portrait.
 
+    Parameters
+    ----------
+    width_px, height_px : float
+        Size of the upright picture [pixels].
+    focal_length_35mm : float
+        FocalLengthIn35mmFilm [mm].
+
     References
     ----------
     .. [1] CIPA DCG-001; Exif 2.32, tag FocalLengthIn35mmFilm: the equivalent refers to the diagonal.
@@ -177,7 +184,19 @@ def project_vectors(
 def to_camera_axes(
     pose: Pose, east: ArrayLike, north: ArrayLike, up: ArrayLike
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Turn vectors from (east, north, up) to the camera's (right, down, forward), lengths kept."""
+    """Turn vectors from (east, north, up) to the camera's axes; their lengths stay.
+
+    Parameters
+    ----------
+    pose : Pose
+    east, north, up : array
+        Components in one unit; broadcast together.
+
+    Returns
+    -------
+    right, down, forward : array
+        In the same unit; `forward` is along the optical axis.
+    """
     heading, pitch, roll = np.radians(pose.heading_deg), np.radians(pose.pitch_deg), np.radians(pose.roll_deg)
     aside = np.multiply(east, np.cos(heading)) - np.multiply(north, np.sin(heading))
     level = np.multiply(east, np.sin(heading)) + np.multiply(north, np.cos(heading))
@@ -188,7 +207,20 @@ def to_camera_axes(
 
 
 def unproject(camera: Camera, pose: Pose, x_px: ArrayLike, y_px: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Map pixels to directions: true azimuth in [0, 360) and elevation angle [degrees]; inverse of `project`."""
+    """Map pixels to directions; inverse of `project`.
+
+    Parameters
+    ----------
+    camera : Camera
+    pose : Pose
+    x_px, y_px : array
+        Pixels of the camera's picture; broadcast together.
+
+    Returns
+    -------
+    azimuth_deg, elevation_deg : array
+        True azimuth in [0, 360), and elevation angle above the horizontal [degrees].
+    """
     centre_x, centre_y = camera.centre_px
     x = np.subtract(x_px, centre_x) / camera.focal_px
     y = np.subtract(y_px, centre_y) / camera.focal_px
@@ -203,7 +235,18 @@ def unproject(camera: Camera, pose: Pose, x_px: ArrayLike, y_px: ArrayLike) -> t
 
 
 def in_frame(camera: Camera, x_px: np.ndarray, y_px: np.ndarray) -> np.ndarray:
-    """Tell which pixels (NaN allowed) lie on the picture, outer half pixels included."""
+    """Tell which pixels lie on the picture, outer half pixels included.
+
+    Parameters
+    ----------
+    camera : Camera
+    x_px, y_px : array
+        Pixels; NaN lies outside.
+
+    Returns
+    -------
+    bool array
+    """
     with np.errstate(invalid="ignore"):
         across = (x_px >= -0.5) & (x_px <= camera.width_px - 0.5)
         return across & (y_px >= -0.5) & (y_px <= camera.height_px - 0.5)

@@ -35,7 +35,15 @@ def correlation(a: Sequence[float] | np.ndarray, b: Sequence[float] | np.ndarray
 
 
 def curve_peaks(heading_deg: np.ndarray, curve: np.ndarray, separation_deg: float) -> list[int]:
-    """Indices of the curve's highest point and of further local maxima, at least `separation_deg` apart."""
+    """Indices of a curve's highest point and of further local maxima, highest first.
+
+    Parameters
+    ----------
+    heading_deg, curve : (N,) arrays
+        The curve over the whole circle; NaN where it is unknown.
+    separation_deg : float
+        Smallest turn between two of the maxima [degrees].
+    """
     filled = np.where(np.isfinite(curve), curve, -np.inf)
     local = (filled >= np.roll(filled, 1)) & (filled >= np.roll(filled, -1)) & np.isfinite(curve)
     tops = np.flatnonzero(local)
@@ -61,7 +69,20 @@ def distinct_headings(heading_deg: np.ndarray, score: ArrayLike, separation_deg:
 
 
 def sharpness(heading_deg: np.ndarray, curve: np.ndarray, peak_deg: float) -> float | None:
-    """Peak-to-sidelobe ratio of a curve over the circle, or None where it has no sidelobes."""
+    """Peak-to-sidelobe ratio of a curve over the circle, or None if it has no sidelobes.
+
+    Parameters
+    ----------
+    heading_deg, curve : (N,) arrays
+        The curve over the whole circle; NaN where it is unknown.
+    peak_deg : float
+        Where its peak is [degrees].
+
+    Returns
+    -------
+    float or None
+        Peak minus mean of the sidelobes, in their standard deviations.
+    """
     away = np.abs((heading_deg - peak_deg + 180) % 360 - 180) > SIDELOBE_EXCLUSION_DEG
     lobes = curve[away & np.isfinite(curve)]
     if len(lobes) < 2 or lobes.std() == 0:

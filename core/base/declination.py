@@ -51,7 +51,22 @@ def declination_deg(latitude_deg: float, longitude_deg: float, altitude_m: float
 
 
 def field_nt(latitude_deg: float, longitude_deg: float, altitude_m: float, year: float) -> tuple[float, float, float]:
-    """Main field (north, east, down) on the ellipsoid's vertical [nT]; `year` is decimal, 1900 to 2030."""
+    """Main field on the ellipsoid's vertical.
+
+    Parameters
+    ----------
+    latitude_deg, longitude_deg : float
+        WGS 84 [degrees].
+    altitude_m : float
+        Above the ellipsoid [m].
+    year : float
+        Decimal year, 1900 to 2030.
+
+    Returns
+    -------
+    north, east, down : float
+        [nT].
+    """
     colatitude, radius_m, tilt = _geocentric(np.radians(latitude_deg), altitude_m)
     cosine, sine = _coefficients(year)
     degree_max = cosine.shape[0] - 1

@@ -95,6 +95,13 @@ class LocalFrame:
 
         The remainder is small against the affine part, so a few fixed-point steps converge to well below a
         hundredth of a cell.
+
+        Parameters
+        ----------
+        col_px, row_px : array
+            Pixels of the whole raster; broadcast together.
+        iterations : int
+            Fixed-point steps.
         """
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))

@@ -138,7 +138,19 @@ def gaussian_blur(image: np.ndarray, sigma_px: float | tuple[float, float]) -> n
 
 
 def box_mean(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
-    """Mean over a centred odd rectangle; uint8 pictures come back rounded to uint8, others float32."""
+    """Mean over a centred rectangle.
+
+    Parameters
+    ----------
+    image : (H, W) or (H, W, C) array
+    width_px, height_px : int
+        Sides of the rectangle, both odd [pixels].
+
+    Returns
+    -------
+    array
+        Of the picture's shape: uint8 pictures rounded to uint8, others float32.
+    """
     cv2 = _cv2()
     if cv2:
         image = image if image.dtype == np.uint8 else image.astype(np.float32)
@@ -185,7 +197,14 @@ def laplacian(image: np.ndarray) -> np.ndarray:
 
 
 def erode(mask: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
-    """Shrink the true part of a boolean (H, W) mask by a centred rectangle; the border itself erodes nothing."""
+    """Shrink the true part of a mask by a centred rectangle; the border itself erodes nothing.
+
+    Parameters
+    ----------
+    mask : (H, W) bool array
+    width_px, height_px : int
+        Sides of the rectangle, both odd [pixels].
+    """
     cv2 = _cv2()
     if cv2:
         return cv2.erode(mask.astype(np.uint8), np.ones((height_px, width_px), np.uint8)) > 0
@@ -201,17 +220,23 @@ def maximum_down(image: np.ndarray, size_px: int) -> np.ndarray:
 
 
 def sample_bilinear(image: np.ndarray, x_px: np.ndarray, y_px: np.ndarray, outside: float = 0.0) -> np.ndarray:
-    """Interpolate a float32 (H, W) picture at points of any shape; beyond the border it continues as `outside`.
+    """Interpolate a picture at points.
 
-    NaN coordinates give `outside`. Apart from `terrain.bilinear`, as OpenCV does it many times faster in steps of 1/32
-    pixel: fine enough for pictures, and too coarse for terrain.
+    Separate from `terrain.bilinear`: OpenCV does this many times faster, in steps of 1/32 pixel, which is fine enough
+    for pictures and too coarse for terrain.
 
     Parameters
     ----------
-    image : (H, W) float32 array
+    image : (H, W) array
     x_px, y_px : array
-        The first pixel's centre at 0 [pixels].
+        Points of any common shape [pixels].
     outside : float
+        Value of the picture beyond its border, and of NaN coordinates.
+
+    Returns
+    -------
+    float32 array
+        Of the points' shape.
     """
     finite = np.isfinite(x_px) & np.isfinite(y_px)
     x = np.where(finite, x_px, -9.0).astype(np.float32)

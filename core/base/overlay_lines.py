@@ -69,9 +69,15 @@ def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> Overlay
 
 
 def skyline_line(skyline: Skyline, width_px: int, height_px: int) -> OverlayLine:
-    """Bring an extracted skyline to pixels of the full upright picture of `width_px` x `height_px`.
+    """Bring an extracted skyline to pixels of the full upright picture.
 
     The line is the boundary: the upper edge of the first terrain pixels.
+
+    Parameters
+    ----------
+    skyline : Skyline
+    width_px, height_px : int
+        Size of the full upright picture [pixels].
     """
     row = np.asarray(skyline.row_px, float)
     x = (np.arange(len(row)) + 0.5) * (width_px / skyline.width_px) - 0.5

@@ -43,7 +43,15 @@ class _Subtask:
 
 
 def subtask(progress: Progress, start: float, stop: float) -> Progress:
-    """Give a part of the work its share of the bar, from `start` to `stop` (0 to 1)."""
+    """Give a part of the work its share of the bar.
+
+    Parameters
+    ----------
+    progress : Progress
+        Of the whole work.
+    start, stop : float
+        Where the part begins and ends, 0 to 1.
+    """
     return _Subtask(progress, start, stop)
 
 

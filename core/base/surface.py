@@ -16,7 +16,19 @@ TILE_CELLS = 1024
 
 
 def sample_pixels(terrain: Terrain, col_px: ArrayLike, row_px: ArrayLike) -> np.ndarray:
-    """Elevation at pixels of the whole raster [m], bilinear; NaN outside and beside voids. Shapes broadcast."""
+    """Elevation at pixels of the whole raster, bilinear.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    col_px, row_px : array
+        Pixels of the whole raster; broadcast together.
+
+    Returns
+    -------
+    array
+        [m]; NaN outside and beside voids.
+    """
     col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
     col, row = col_px.ravel(), row_px.ravel()
     elevation = np.full(col.shape, np.nan)
@@ -41,7 +53,20 @@ def _around(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> Window:
 
 
 def elevation_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
-    """Elevation of the surface at local places [m]; NaN outside and beside voids."""
+    """Elevation of the surface at local places.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+    east_m, north_m : array
+        [m]; broadcast together.
+
+    Returns
+    -------
+    array
+        [m]; NaN outside and beside voids.
+    """
     return sample_pixels(terrain, *frame.to_pixel(east_m, north_m))
 
 
@@ -70,9 +95,14 @@ def normal_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: A
 
 
 def incidence_deg(normal: np.ndarray, azimuth_deg: ArrayLike, elevation_deg: ArrayLike) -> np.ndarray:
-    """Angle between the surface's normal and the way back to the eye [degrees]: 0 head-on, 90 grazing.
+    """Angle between the surface's normal and the direction back to the eye [degrees]: 0 head-on, 90 grazing.
 
-    `azimuth_deg` and `elevation_deg` are the ray's, as the eye sends it.
+    Parameters
+    ----------
+    normal : (3, N) array
+        Unit normal (east, north, up).
+    azimuth_deg, elevation_deg : (N,) arrays
+        Direction of the ray from the eye to the surface [degrees].
     """
     azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
     back = -np.stack([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
@@ -87,7 +117,19 @@ GRAZING_COSINE = 0.02
 
 
 def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them."""
+    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    row, col : (N,) arrays
+        Pixels of the whole raster, close enough together for a table over them.
+
+    Returns
+    -------
+    east_m, north_m : (N,) arrays
+        [m].
+    """
     if frame.remainder_px is None:
         return frame.to_local(col, row)
     r0, c0 = row.min(), col.min()
@@ -99,7 +141,21 @@ def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[n
 
 
 def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Elevations around scattered DEM pixels of one tile, and where in it they lie."""
+    """Elevations around scattered DEM pixels of one tile.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    row, col : (N,) arrays
+        Pixels of the whole raster.
+
+    Returns
+    -------
+    patch : (R, C) float32 array
+        Elevations [m].
+    row, col : (N,) arrays
+        The same places in pixels of the patch.
+    """
     top, left = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
     window = Window(top, left, int(np.ceil(row.max())) + 2 - top, int(np.ceil(col.max())) + 2 - left)
     window = window.clipped(terrain.shape)
@@ -109,7 +165,21 @@ def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np
 def normal_of(
     z: np.ndarray, row: np.ndarray, col: np.ndarray, frame: LocalFrame
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(east, north, up) of the surface's unit normal at the cells nearest to places of a patch."""
+    """Unit normal of the surface at the cells nearest to places of a patch.
+
+    Parameters
+    ----------
+    z : (R, C) array
+        Elevations [m].
+    row, col : (N,) arrays
+        Places in pixels of `z`.
+    frame : LocalFrame
+        For the cells' size and direction on the ground.
+
+    Returns
+    -------
+    east, north, up : (N,) arrays
+    """
     rows, cols = z.shape
     r = np.clip(np.rint(row).astype(np.intp), 0, rows - 1)
     c = np.clip(np.rint(col).astype(np.intp), 0, cols - 1)
