@@ -15,7 +15,7 @@ export QT_QPA_PLATFORM ?= offscreen
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 # In a container of the QGIS project, PYTHONPATH says where QGIS's own modules are.
-export PYTHONPATH := $(PLUGINS)$(if $(filter 1,$(SKYLINE_SYSTEM_QGIS)),:$(PYTHONPATH))
+export PYTHONPATH := $(PLUGINS)$(if $(filter 1,$(SKYLINE_SYSTEM_QGIS)),$(addprefix :,$(PYTHONPATH)))
 
 .PHONY: help
 help: ## List the targets

@@ -31,7 +31,11 @@ ADDRESSES = ("tracker", "repository", "homepage")
 FORBIDDEN_FOLDERS = {"__MACOSX", ".git", "__pycache__"}
 SUSPICIOUS = {".exe", ".dll", ".so", ".dylib", ".bat", ".sh", ".ps1", ".cmd", ".pyd", ".whl", ".jar", ".zip"}
 BLOCKING_BANDIT = "B102,B105,B106,B107,B202,B301,B302,B306,B307,B506,B602,B604,B605,B701"
-DEVELOPMENT = {"tests", "benchmarks", "demo", "tools", "docs", "Makefile", "pyproject.toml", ".ci", ".github"}
+DEVELOPMENT = {"tests", "benchmarks", "demo", "tools", "docs", "Makefile", "pyproject.toml", ".ci", ".github"} | {
+    "requirements-dev.txt",
+    "SECURITY.md",
+    "CITATION.cff",
+}
 NEEDED = ("LICENSE", "__init__.py", "plugin.py", "metadata.txt", "requirements.txt", "core/base/igrf14.txt")
 
 
