@@ -14,7 +14,8 @@ PYTEST_ARGS ?=
 export QT_QPA_PLATFORM ?= offscreen
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
-export PYTHONPATH := $(PLUGINS)
+# In a container of the QGIS project, PYTHONPATH says where QGIS's own modules are.
+export PYTHONPATH := $(PLUGINS)$(if $(filter 1,$(SKYLINE_SYSTEM_QGIS)),$(addprefix :,$(PYTHONPATH)))
 
 .PHONY: help
 help: ## List the targets
@@ -54,11 +55,12 @@ fuzz: setup ## Fuzz what reads users' files: [SECONDS=600] [TARGET=metadata|pixe
 	@nice $(PYTHON) tests/fuzz/fuzz_readers.py --seconds $(or $(SECONDS),600) $(TARGET)
 
 .PHONY: lint
-lint: setup ## Check style, Qt6 readiness and import rules
+lint: setup ## Check style, types, Qt6 readiness and the house rules
 	@$(PYTHON) -m ruff check . && $(PYTHON) -m ruff format --check .
 	@# QGS201 and QGS202 guess by a method's name whether it returns a success flag, and guess wrong on every addParameter.
 	@$(PYTHON) -m flake8 --select QGS --extend-ignore QGS201,QGS202 plugin.py processing_provider algorithms
-	@$(PYTHON) -m pytest -q tests/test_architecture.py tests/test_qt6.py
+	@$(PYTHON) tools/check_types.py
+	@$(PYTHON) -m pytest -q tests/test_architecture.py tests/test_house_numbers.py tests/test_qt6.py
 
 .PHONY: format
 format: setup ## Format the code
@@ -121,6 +123,10 @@ wheel: setup ## Make build/wheel/*.whl: the core, its Python functions and its c
 .PHONY: check-package
 check-package: zip ## Hold the zip to the plugin site's rules and run it from an empty profile
 	@$(PYTHON) tools/check_package.py build/skyline_viewshed.zip
+
+.PHONY: publish
+publish: check-package ## Upload the checked zip to the plugin site: QGIS_PLUGIN_TOKEN=token of this plugin
+	@tools/publish.sh build/skyline_viewshed.zip
 
 .PHONY: test-matrix
 test-matrix: ## Run all tests on QGIS 3.22, 3.40 and 3.44, each in a Debian tree of its own (as root)

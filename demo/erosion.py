@@ -132,7 +132,23 @@ def _solve_down(own, share, receiver):
 
 
 def slide(height, cell_m, repose, passes=4):
-    """Move material down wherever a slope is steeper than the repose, in all eight directions."""
+    """Move material down wherever a slope is steeper than the repose, in all eight directions.
+
+    Parameters
+    ----------
+    height : (R, C) array
+        [m].
+    cell_m : float
+        Side of a cell [m].
+    repose : float
+        Steepest slope that holds, rise over run.
+    passes : int
+
+    Returns
+    -------
+    (R, C) array
+        A new one [m].
+    """
     rows, cols = height.shape
     for _ in range(passes):
         change = np.zeros_like(height)

@@ -60,7 +60,18 @@ MARGIN = 0.12
 
 
 def make_mountains(seed, options: MountainOptions | None = None, progress: Progress = SILENT) -> ArrayTerrain:
-    """Make a mountain range; the same seed and options give the same range."""
+    """Make a mountain range; the same seed and options give the same range.
+
+    Parameters
+    ----------
+    seed : int
+    options : MountainOptions or None
+    progress : Progress
+
+    Returns
+    -------
+    ArrayTerrain
+    """
     options = options or MountainOptions()
     generator = np.random.Generator(np.random.PCG64(seed))
     whole_m = options.size * options.cell_m / (1 - 2 * MARGIN)
@@ -178,7 +189,22 @@ def _resample_inner(carved, size, seed):
 
 
 def fractal_field(seed, slope, cells, longest_cells):
-    """Make one periodic (cells, cells) random field of unit deviation without waves longer than `longest_cells`."""
+    """Make one periodic random field of unit deviation.
+
+    Parameters
+    ----------
+    seed : int
+    slope : float
+        Its amplitude falls as 1 / frequency ** `slope`.
+    cells : int
+        Side of the field.
+    longest_cells : float
+        Longest wave [cells].
+
+    Returns
+    -------
+    (cells, cells) float32 array
+    """
     spectrum, frequency = power_spectrum(seed, slope, cells)
     value = np.fft.irfft2(spectrum * without_long_waves(frequency / cells, longest_cells), s=(cells, cells))
     return (value / value.std()).astype(np.float32)

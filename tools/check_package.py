@@ -31,7 +31,8 @@ ADDRESSES = ("tracker", "repository", "homepage")
 FORBIDDEN_FOLDERS = {"__MACOSX", ".git", "__pycache__"}
 SUSPICIOUS = {".exe", ".dll", ".so", ".dylib", ".bat", ".sh", ".ps1", ".cmd", ".pyd", ".whl", ".jar", ".zip"}
 BLOCKING_BANDIT = "B102,B105,B106,B107,B202,B301,B302,B306,B307,B506,B602,B604,B605,B701"
-DEVELOPMENT = {"tests", "benchmarks", "demo", "tools", "docs", "Makefile", "pyproject.toml", ".ci", ".github"}
+DEVELOPMENT_FOLDERS = {".ci", ".github", "benchmarks", "demo", "docs", "tests", "tools"}
+DEVELOPMENT_FILES = {"CITATION.cff", "Makefile", "SECURITY.md", "pyproject.toml", "requirements-dev.txt"}
 NEEDED = ("LICENSE", "__init__.py", "plugin.py", "metadata.txt", "requirements.txt", "core/base/igrf14.txt")
 
 
@@ -55,7 +56,7 @@ def problems_of_names(archive):
             found.append(f"{path} is hidden, a binary or a script of a shell.")
         if path.suffix == ".py" and (info.external_attr >> 16) & 0o111:
             found.append(f"{path} is executable.")
-        if len(path.parts) > 1 and path.parts[1] in DEVELOPMENT:
+        if len(path.parts) > 1 and path.parts[1] in DEVELOPMENT_FOLDERS | DEVELOPMENT_FILES:
             found.append(f"{path} serves development only: mark it export-ignore in .gitattributes.")
     found += [f"{name} is missing." for name in NEEDED if f"{top}/{name}" not in names]
     return found

@@ -6,8 +6,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-PACKAGES="qgis python3-qgis python3-gdal gdal-bin python3-numpy python3-scipy python3-pil python3-venv python3-pip qttools5-dev-tools git make"
-PIP="opencv-python-headless pillow-heif exifread Pillow pytest pytest-qgis hypothesis ruff flake8 flake8-qgis bandit detect-secrets"
+PACKAGES="python3-scipy python3-pil python3-venv python3-pip qttools5-dev-tools git make"
+# With SKYLINE_SYSTEM_QGIS=1 the machine has a QGIS already (a container of the QGIS project), which apt must not replace.
+if [ "${SKYLINE_SYSTEM_QGIS:-0}" != 1 ]; then
+  PACKAGES="qgis python3-qgis python3-gdal gdal-bin python3-numpy $PACKAGES"
+fi
 SYSTEM_PYTHON=/usr/bin/python3
 STAMP=.venv/.skyline-setup
 
@@ -52,11 +55,11 @@ make_venv() {
   local numpy
   numpy=$($SYSTEM_PYTHON -c 'import numpy; print(numpy.__version__)')
   say "Installing Python packages into .venv (numpy $numpy as on the system)"
-  .venv/bin/python -m pip install -q --disable-pip-version-check "numpy==$numpy" $PIP
+  .venv/bin/python -m pip install -q --disable-pip-version-check "numpy==$numpy" -r requirements-dev.txt
 }
 
 fingerprint() {
-  { cat tools/setup.sh; pwd; $SYSTEM_PYTHON -c 'import sys, numpy; print(sys.version, numpy.__version__)'; } |
+  { cat tools/setup.sh requirements-dev.txt; pwd; $SYSTEM_PYTHON -c 'import sys, numpy; print(sys.version, numpy.__version__)'; } |
     sha256sum | cut -d ' ' -f 1
 }
 

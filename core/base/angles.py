@@ -7,31 +7,46 @@ raster's columns; they differ by the grid convergence.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from .arrays import FloatOrArray
 
 
-def wrap_360(angle_deg):
+def wrap_360(angle_deg: ArrayLike) -> FloatOrArray:
     """Wrap angles to [0, 360) [degrees]."""
     wrapped = np.mod(angle_deg, 360.0)
     # np.mod(-1e-20, 360) rounds to 360.0 itself.
     return np.where(wrapped >= 360.0, 0.0, wrapped)[()]
 
 
-def wrap_180(angle_deg):
+def wrap_180(angle_deg: ArrayLike) -> FloatOrArray:
     """Wrap angles to [-180, 180) [degrees]."""
     return wrap_360(np.add(angle_deg, 180.0)) - 180.0
 
 
-def difference(angle_deg, reference_deg):
+def difference(angle_deg: ArrayLike, reference_deg: ArrayLike) -> FloatOrArray:
     """Signed turn from `reference_deg` to `angle_deg`, clockwise positive, in [-180, 180) [degrees]."""
     return wrap_180(np.subtract(angle_deg, reference_deg))
 
 
-def in_wedge(azimuth_deg, centre_deg, width_deg):
-    """Tell which azimuths lie within `width_deg` around `centre_deg`, edges included, across north too."""
+def in_wedge(azimuth_deg: ArrayLike, centre_deg: ArrayLike, width_deg: ArrayLike) -> FloatOrArray:
+    """Tell which azimuths lie in a wedge, edges included, across north too.
+
+    Parameters
+    ----------
+    azimuth_deg : float or array
+        [degrees].
+    centre_deg, width_deg : float or array
+        Middle and full width of the wedge [degrees].
+
+    Returns
+    -------
+    bool or bool array
+    """
     return np.abs(difference(azimuth_deg, centre_deg)) <= np.divide(width_deg, 2.0)
 
 
-def true_to_grid(azimuth_deg, convergence_deg):
+def true_to_grid(azimuth_deg: ArrayLike, convergence_deg: ArrayLike) -> FloatOrArray:
     """Turn true into grid azimuths [degrees].
 
     Parameters

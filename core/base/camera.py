@@ -17,6 +17,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 DIAGONAL_35MM = float(np.hypot(36.0, 24.0))
 """Diagonal of the 35 mm frame [mm], to which EXIF's FocalLengthIn35mmFilm refers (CIPA DCG-001, Exif 2.32)."""
@@ -71,26 +72,26 @@ class Camera:
     k1: float = 0.0
     k2: float = 0.0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.width_px < 1 or self.height_px < 1 or not self.focal_px > 0:
             raise ValueError(f"a camera needs a positive size and focal length, not {self}")
 
     @property
-    def centre_px(self):
+    def centre_px(self) -> tuple[float, float]:
         """Principal point (x, y) [pixels]."""
         return (self.width_px - 1) / 2 + self.offset_x_px, (self.height_px - 1) / 2 + self.offset_y_px
 
     @property
-    def hfov_deg(self):
+    def hfov_deg(self) -> float:
         """Horizontal field of view across the picture's middle [degrees]."""
         return fov_of_focal_deg(self.width_px, self.focal_px)
 
     @property
-    def vfov_deg(self):
+    def vfov_deg(self) -> float:
         """Vertical field of view across the picture's middle [degrees]."""
         return fov_of_focal_deg(self.height_px, self.focal_px)
 
-    def scaled(self, width_px, height_px):
+    def scaled(self, width_px: int, height_px: int) -> Camera:
         """Give the same lens for the picture resampled to another size."""
         factor = width_px / self.width_px
         return replace(
@@ -103,20 +104,27 @@ class Camera:
         )
 
 
-def fov_of_focal_deg(side_px, focal_px):
+def fov_of_focal_deg(side_px: float, focal_px: float) -> float:
     """Full angle of a side of `side_px` behind a pinhole of `focal_px` [degrees]."""
     return float(np.degrees(2 * np.arctan(side_px / (2 * focal_px))))
 
 
-def focal_of_fov_px(side_px, fov_deg):
+def focal_of_fov_px(side_px: float, fov_deg: float) -> float:
     """Focal length [pixels] that gives a side of `side_px` the full angle `fov_deg` [degrees]."""
     if not 0 < fov_deg < 180:
         raise ValueError(f"a field of view must lie between 0 and 180 degrees, not {fov_deg}")
     return float(side_px / (2 * np.tan(np.radians(fov_deg) / 2)))
 
 
-def focal_from_35mm_px(width_px, height_px, focal_length_35mm):
+def focal_from_35mm_px(width_px: float, height_px: float, focal_length_35mm: float) -> float:
     """Focal length [pixels] from EXIF's 35 mm equivalent by the diagonal rule, for any aspect and portrait.
+
+    Parameters
+    ----------
+    width_px, height_px : float
+        Size of the upright picture [pixels].
+    focal_length_35mm : float
+        FocalLengthIn35mmFilm [mm].
 
     References
     ----------
@@ -125,7 +133,9 @@ def focal_from_35mm_px(width_px, height_px, focal_length_35mm):
     return float(np.hypot(width_px, height_px) * focal_length_35mm / DIAGONAL_35MM)
 
 
-def project(camera, pose, azimuth_deg, elevation_deg):
+def project(
+    camera: Camera, pose: Pose, azimuth_deg: ArrayLike, elevation_deg: ArrayLike
+) -> tuple[np.ndarray, np.ndarray]:
     """Map directions to pixels.
 
     Parameters
@@ -145,7 +155,9 @@ def project(camera, pose, azimuth_deg, elevation_deg):
     return project_vectors(camera, pose, level * np.sin(azimuth), level * np.cos(azimuth), np.sin(elevation))
 
 
-def project_vectors(camera, pose, east, north, up):
+def project_vectors(
+    camera: Camera, pose: Pose, east: ArrayLike, north: ArrayLike, up: ArrayLike
+) -> tuple[np.ndarray, np.ndarray]:
     """Map directions given as vectors of any length to pixels; as `project`, without its trigonometry.
 
     Parameters
@@ -169,8 +181,22 @@ def project_vectors(camera, pose, east, north, up):
     return centre_x + camera.focal_px * x, centre_y + camera.focal_px * y
 
 
-def to_camera_axes(pose, east, north, up):
-    """Turn vectors from (east, north, up) to the camera's (right, down, forward), lengths kept."""
+def to_camera_axes(
+    pose: Pose, east: ArrayLike, north: ArrayLike, up: ArrayLike
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Turn vectors from (east, north, up) to the camera's axes; their lengths stay.
+
+    Parameters
+    ----------
+    pose : Pose
+    east, north, up : array
+        Components in one unit; broadcast together.
+
+    Returns
+    -------
+    right, down, forward : array
+        In the same unit; `forward` is along the optical axis.
+    """
     heading, pitch, roll = np.radians(pose.heading_deg), np.radians(pose.pitch_deg), np.radians(pose.roll_deg)
     aside = np.multiply(east, np.cos(heading)) - np.multiply(north, np.sin(heading))
     level = np.multiply(east, np.sin(heading)) + np.multiply(north, np.cos(heading))
@@ -180,8 +206,21 @@ def to_camera_axes(pose, east, north, up):
     return right, -above * np.cos(roll) - aside * np.sin(roll), forward
 
 
-def unproject(camera, pose, x_px, y_px):
-    """Map pixels to directions: true azimuth in [0, 360) and elevation angle [degrees]; inverse of `project`."""
+def unproject(camera: Camera, pose: Pose, x_px: ArrayLike, y_px: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Map pixels to directions; inverse of `project`.
+
+    Parameters
+    ----------
+    camera : Camera
+    pose : Pose
+    x_px, y_px : array
+        Pixels of the camera's picture; broadcast together.
+
+    Returns
+    -------
+    azimuth_deg, elevation_deg : array
+        True azimuth in [0, 360), and elevation angle above the horizontal [degrees].
+    """
     centre_x, centre_y = camera.centre_px
     x = np.subtract(x_px, centre_x) / camera.focal_px
     y = np.subtract(y_px, centre_y) / camera.focal_px
@@ -195,14 +234,25 @@ def unproject(camera, pose, x_px, y_px):
     return np.mod(azimuth, 360.0), np.degrees(np.arctan2(rise, np.hypot(right, level)))
 
 
-def in_frame(camera, x_px, y_px):
-    """Tell which pixels (NaN allowed) lie on the picture, outer half pixels included."""
+def in_frame(camera: Camera, x_px: np.ndarray, y_px: np.ndarray) -> np.ndarray:
+    """Tell which pixels lie on the picture, outer half pixels included.
+
+    Parameters
+    ----------
+    camera : Camera
+    x_px, y_px : array
+        Pixels; NaN lies outside.
+
+    Returns
+    -------
+    bool array
+    """
     with np.errstate(invalid="ignore"):
         across = (x_px >= -0.5) & (x_px <= camera.width_px - 0.5)
         return across & (y_px >= -0.5) & (y_px <= camera.height_px - 0.5)
 
 
-def _distort(camera, x, y):
+def _distort(camera: Camera, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     if camera.k1 == 0 and camera.k2 == 0:
         return x, y
     r2 = x * x + y * y
@@ -213,7 +263,7 @@ def _distort(camera, x, y):
     return x * gain, y * gain
 
 
-def _undistort(camera, x, y):
+def _undistort(camera: Camera, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     if camera.k1 == 0 and camera.k2 == 0:
         return x, y
     x0, y0 = x, y

@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from .arrays import FloatOrArray
 
 EARTH_RADIUS_M = 6_371_000.0
 REFRACTION_COEFFICIENT = 0.13
 
 
-def apparent_drop_m(distance_m, refraction_coefficient=REFRACTION_COEFFICIENT, radius_m=EARTH_RADIUS_M):
+def apparent_drop_m(
+    distance_m: ArrayLike,
+    refraction_coefficient: float = REFRACTION_COEFFICIENT,
+    radius_m: float = EARTH_RADIUS_M,
+) -> FloatOrArray:
     """How far a point at `distance_m` sinks below the observer's horizontal plane.
 
     Parameters

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 SIDELOBE_EXCLUSION_DEG = 5.0
 """Neighbourhood of the peak that is not counted among its sidelobes."""
 
 
-def row_ncc(image, seen):
+def row_ncc(image: np.ndarray, seen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Normalised cross-correlation along the last axis, where both are known, and the mean of `seen` less `image`."""
     known = np.isfinite(seen)
     count = np.maximum(known.sum(axis=-1), 1)
@@ -23,7 +26,7 @@ def row_ncc(image, seen):
         return np.where(usable, (a * b).sum(axis=-1) / norm, np.nan), mean_seen - mean_image
 
 
-def correlation(a, b):
+def correlation(a: Sequence[float] | np.ndarray, b: Sequence[float] | np.ndarray) -> float | None:
     """Normalised cross-correlation of two curves, or None where one is straight or both are short."""
     if len(a) < 10:
         return None
@@ -31,15 +34,23 @@ def correlation(a, b):
     return float(ncc) if np.isfinite(ncc) else None
 
 
-def curve_peaks(heading_deg, curve, separation_deg):
-    """Indices of the curve's highest point and of further local maxima, at least `separation_deg` apart."""
+def curve_peaks(heading_deg: np.ndarray, curve: np.ndarray, separation_deg: float) -> list[int]:
+    """Indices of a curve's highest point and of further local maxima, highest first.
+
+    Parameters
+    ----------
+    heading_deg, curve : (N,) arrays
+        The curve over the whole circle; NaN where it is unknown.
+    separation_deg : float
+        Smallest turn between two of the maxima [degrees].
+    """
     filled = np.where(np.isfinite(curve), curve, -np.inf)
     local = (filled >= np.roll(filled, 1)) & (filled >= np.roll(filled, -1)) & np.isfinite(curve)
     tops = np.flatnonzero(local)
     return [int(tops[index]) for index in distinct_headings(heading_deg[tops], filled[tops], separation_deg)]
 
 
-def distinct_headings(heading_deg, score, separation_deg):
+def distinct_headings(heading_deg: np.ndarray, score: ArrayLike, separation_deg: float) -> list[int]:
     """Indices of headings that differ by `separation_deg` or more, best first.
 
     Parameters
@@ -49,7 +60,7 @@ def distinct_headings(heading_deg, score, separation_deg):
     separation_deg : float
         Across north as elsewhere [degrees].
     """
-    kept = []
+    kept: list[int] = []
     for index in np.argsort(-np.asarray(score), kind="stable"):
         turn = np.abs((heading_deg[kept] - heading_deg[index] + 180) % 360 - 180) if kept else np.zeros(0)
         if (turn >= separation_deg).all():
@@ -57,8 +68,21 @@ def distinct_headings(heading_deg, score, separation_deg):
     return kept
 
 
-def sharpness(heading_deg, curve, peak_deg):
-    """Peak-to-sidelobe ratio of a curve over the circle, or None where it has no sidelobes."""
+def sharpness(heading_deg: np.ndarray, curve: np.ndarray, peak_deg: float) -> float | None:
+    """Peak-to-sidelobe ratio of a curve over the circle, or None if it has no sidelobes.
+
+    Parameters
+    ----------
+    heading_deg, curve : (N,) arrays
+        The curve over the whole circle; NaN where it is unknown.
+    peak_deg : float
+        Where its peak is [degrees].
+
+    Returns
+    -------
+    float or None
+        Peak minus mean of the sidelobes, in their standard deviations.
+    """
     away = np.abs((heading_deg - peak_deg + 180) % 360 - 180) > SIDELOBE_EXCLUSION_DEG
     lobes = curve[away & np.isfinite(curve)]
     if len(lobes) < 2 or lobes.std() == 0:

@@ -24,7 +24,7 @@ WGS84_SEMI_MAJOR_M = 6_378_137.0
 WGS84_E2 = 6.694379990141e-3
 
 
-def declination_deg(latitude_deg, longitude_deg, altitude_m, when):
+def declination_deg(latitude_deg: float, longitude_deg: float, altitude_m: float, when: datetime) -> float | None:
     """Declination of the Earth's main field.
 
     Parameters
@@ -50,8 +50,23 @@ def declination_deg(latitude_deg, longitude_deg, altitude_m, when):
     return float(np.degrees(np.arctan2(east_nt, north_nt)))
 
 
-def field_nt(latitude_deg, longitude_deg, altitude_m, year):
-    """Main field (north, east, down) on the ellipsoid's vertical [nT]; `year` is decimal, 1900 to 2030."""
+def field_nt(latitude_deg: float, longitude_deg: float, altitude_m: float, year: float) -> tuple[float, float, float]:
+    """Main field on the ellipsoid's vertical.
+
+    Parameters
+    ----------
+    latitude_deg, longitude_deg : float
+        WGS 84 [degrees].
+    altitude_m : float
+        Above the ellipsoid [m].
+    year : float
+        Decimal year, 1900 to 2030.
+
+    Returns
+    -------
+    north, east, down : float
+        [nT].
+    """
     colatitude, radius_m, tilt = _geocentric(np.radians(latitude_deg), altitude_m)
     cosine, sine = _coefficients(year)
     degree_max = cosine.shape[0] - 1
@@ -68,7 +83,7 @@ def field_nt(latitude_deg, longitude_deg, altitude_m, year):
     return north * np.cos(tilt) + down * np.sin(tilt), east, down * np.cos(tilt) - north * np.sin(tilt)
 
 
-def schmidt_functions(colatitude, degree_max):
+def schmidt_functions(colatitude: float, degree_max: int) -> tuple[np.ndarray, np.ndarray]:
     """Schmidt semi-normalised Legendre functions P and dP/d(colatitude), each (degree_max + 1, degree_max + 1).
 
     Row is the degree n, column the order m; the colatitude is in radians.
@@ -89,7 +104,7 @@ def schmidt_functions(colatitude, degree_max):
     return p, dp
 
 
-def _geocentric(latitude, altitude_m):
+def _geocentric(latitude: float, altitude_m: float) -> tuple[float, float, float]:
     """Geocentric colatitude [rad], radius [m], and geodetic minus geocentric latitude [rad]."""
     curvature_m = WGS84_SEMI_MAJOR_M / np.sqrt(1 - WGS84_E2 * np.sin(latitude) ** 2)
     axis_m = (curvature_m + altitude_m) * np.cos(latitude)
@@ -98,13 +113,13 @@ def _geocentric(latitude, altitude_m):
     return colatitude, np.hypot(axis_m, up_m), latitude - (np.pi / 2 - colatitude)
 
 
-def _decimal_year(when):
+def _decimal_year(when: datetime) -> float:
     when = when.replace(tzinfo=None)
     start, end = datetime(when.year, 1, 1), datetime(min(when.year + 1, datetime.max.year), 1, 1)
     return when.year + (when - start) / (end - start) if end > start else float(when.year)
 
 
-def _coefficients(year):
+def _coefficients(year: float) -> np.ndarray:
     """Gauss coefficients g and h [nT] of a year, each (n, m), linear between the epochs."""
     years, table = _table()
     after = int(np.clip(np.searchsorted(years, year, side="right"), 1, len(years) - 1))
@@ -113,7 +128,7 @@ def _coefficients(year):
 
 
 @lru_cache(maxsize=1)
-def _table():
+def _table() -> tuple[np.ndarray, np.ndarray]:
     """Epochs (E,), and coefficients (2, E, n, m): g and h [nT]."""
     with open(COEFFICIENTS_FILE, encoding="ascii") as file:
         lines = [line.split() for line in file if not line.startswith("#")]

@@ -9,7 +9,7 @@ class SkylineViewshedError(Exception):
     """Base of all errors that a user can act on; its message, a `Message`, says what to do."""
 
     @property
-    def message(self):
+    def message(self) -> Message:
         """The `Message`, for who translates it; `str(error)` is the plain English sentence."""
         return self.args[0]
 
@@ -21,7 +21,7 @@ class PhotoError(SkylineViewshedError):
 class UnreadablePhotoError(PhotoError):
     """The file is missing, empty, damaged, too large or of a kind that cannot be decoded here."""
 
-    def __init__(self, path, reason):
+    def __init__(self, path: object, reason: str) -> None:
         self.path, self.reason = str(path), reason
         super().__init__(Message("The photo {path} cannot be read: {reason}", path=self.path, reason=reason))
 
@@ -33,7 +33,7 @@ class MissingMetadataError(PhotoError):
 class SkylineNotFoundError(PhotoError):
     """No believable boundary between sky and terrain in the picture."""
 
-    def __init__(self, reason):
+    def __init__(self, reason: str) -> None:
         super().__init__(
             Message(
                 "{reason} Use a photo that shows a mountain skyline, or supply a sky mask or a drawn skyline.",
@@ -57,7 +57,7 @@ class ObserverError(PhotoError):
 class ObserverOutsideDemError(ObserverError):
     """The position lies outside the raster."""
 
-    def __init__(self, longitude_deg, latitude_deg):
+    def __init__(self, longitude_deg: float, latitude_deg: float) -> None:
         self.longitude_deg, self.latitude_deg = longitude_deg, latitude_deg
         super().__init__(
             Message(
@@ -72,7 +72,7 @@ class ObserverOutsideDemError(ObserverError):
 class NoElevationAtObserverError(ObserverError):
     """The position lies on a void of the raster."""
 
-    def __init__(self, longitude_deg, latitude_deg):
+    def __init__(self, longitude_deg: float, latitude_deg: float) -> None:
         self.longitude_deg, self.latitude_deg = longitude_deg, latitude_deg
         super().__init__(
             Message(
@@ -92,7 +92,7 @@ class OutputError(SkylineViewshedError):
     """A result cannot be written: no such folder, read-only, disk full."""
 
     @classmethod
-    def of_file(cls, path, reason):
+    def of_file(cls, path: object, reason: str) -> OutputError:
         """Make the error of a file from the reason that the system has given, or a `Message`."""
         return cls(
             Message(
@@ -106,7 +106,7 @@ class OutputError(SkylineViewshedError):
 class UnreadableFeaturesError(SkylineViewshedError):
     """A file of drawn image features is missing, damaged or in none of the known formats."""
 
-    def __init__(self, path, reason):
+    def __init__(self, path: object, reason: str) -> None:
         self.path, self.reason = str(path), reason
         super().__init__(Message("The image features {path} cannot be read: {reason}", path=self.path, reason=reason))
 

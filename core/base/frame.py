@@ -9,9 +9,11 @@ a few hundred exact points wherever further exact points prove that polynomial r
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 NEGLIGIBLE_PX = 0.02
 """A remainder below this [cells] is not worth an interpolation."""
@@ -21,6 +23,9 @@ DEGREE = 16
 
 POLYNOMIAL_PX = 1e-3
 """By so much the polynomial may miss exact points; beyond, the table is computed node by node."""
+
+Transform = Callable[[np.ndarray, np.ndarray], Sequence[np.ndarray]]
+"""From (east_m, north_m) to (col, row) of the whole raster [pixels]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,29 +55,29 @@ class LocalFrame:
     remainder_px: np.ndarray | None = None
 
     @property
-    def convergence_deg(self):
+    def convergence_deg(self) -> float:
         """Bearing of grid north (up the columns) seen from true north, clockwise [degrees]."""
         east, north = np.linalg.solve(self.jacobian_px_per_m, [0.0, -1.0 if self.row_goes_south else 1.0])
         return float(np.degrees(np.arctan2(east, north)))
 
     @property
-    def row_goes_south(self):
+    def row_goes_south(self) -> bool:
         """Whether rows run from grid north to grid south, as in nearly all rasters."""
         (a, b), (c, d) = self.jacobian_px_per_m
         return a * d - b * c < 0
 
     @property
-    def cell_size_m(self):
+    def cell_size_m(self) -> tuple[float, float]:
         """Ground size (along a row, along a column) of the observer's cell [m]."""
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         return float(np.hypot(*inverse[:, 0])), float(np.hypot(*inverse[:, 1]))
 
     @property
-    def cell_m(self):
+    def cell_m(self) -> float:
         """One number for the cell's ground size: the geometric mean of its sides [m]."""
         return float(np.sqrt(np.prod(self.cell_size_m)))
 
-    def to_pixel(self, east_m, north_m):
+    def to_pixel(self, east_m: ArrayLike, north_m: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Map local metres to (col, row) of the whole raster [pixels]; shapes broadcast together."""
         east_m, north_m = np.broadcast_arrays(np.asarray(east_m, float), np.asarray(north_m, float))
         (a, b), (c, d) = self.jacobian_px_per_m
@@ -85,11 +90,18 @@ class LocalFrame:
             col, row = col + bent_col, row + bent_row
         return col, row
 
-    def to_local(self, col_px, row_px, iterations=3):
+    def to_local(self, col_px: ArrayLike, row_px: ArrayLike, iterations: int = 3) -> tuple[np.ndarray, np.ndarray]:
         """Map (col, row) of the whole raster to local (east, north) [m]: the inverse of `to_pixel`.
 
         The remainder is small against the affine part, so a few fixed-point steps converge to well below a
         hundredth of a cell.
+
+        Parameters
+        ----------
+        col_px, row_px : array
+            Pixels of the whole raster; broadcast together.
+        iterations : int
+            Fixed-point steps.
         """
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
@@ -103,11 +115,11 @@ class LocalFrame:
         return east, north
 
 
-def _apply(matrix, x, y):
+def _apply(matrix: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return matrix[0, 0] * x + matrix[0, 1] * y, matrix[1, 0] * x + matrix[1, 1] * y
 
 
-def _interpolate(tables, row, col):
+def _interpolate(tables: np.ndarray, row: np.ndarray, col: np.ndarray) -> Iterator[np.ndarray]:
     """Interpolate square tables linearly; beyond the outer nodes these hold. (SciPy's own takes as long, and its
     import longer than all frames of a usual run.)
     """
@@ -124,7 +136,9 @@ def _interpolate(tables, row, col):
         yield upper + (lower - upper) * row
 
 
-def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
+def tabulate_frame(
+    longitude_deg: float, latitude_deg: float, transform: Transform, radius_m: float, size: int = 129
+) -> LocalFrame:
     """Build a `LocalFrame` from an exact transformation.
 
     Parameters
@@ -144,7 +158,7 @@ def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
     jacobian = np.array([[col[1] - col[2], col[3] - col[4]], [row[1] - row[2], row[3] - row[4]]]) / (2 * step)
     frame = LocalFrame(longitude_deg, latitude_deg, float(col[0]), float(row[0]), jacobian, float(radius_m))
 
-    def remainder_at(east_m, north_m):
+    def remainder_at(east_m: np.ndarray, north_m: np.ndarray) -> np.ndarray:
         return np.array(transform(east_m, north_m)) - np.array(frame.to_pixel(east_m, north_m))
 
     axis = np.linspace(-radius_m, radius_m, size)
@@ -160,7 +174,9 @@ def tabulate_frame(longitude_deg, latitude_deg, transform, radius_m, size=129):
     return LocalFrame(longitude_deg, latitude_deg, frame.col_px, frame.row_px, jacobian, float(radius_m), remainder)
 
 
-def _polynomial_table(remainder_at, axis):
+def _polynomial_table(
+    remainder_at: Callable[[np.ndarray, np.ndarray], np.ndarray], axis: np.ndarray
+) -> np.ndarray | None:
     """Fill a table over (north, east) from a Chebyshev interpolant; None where exact points contradict it."""
     count = DEGREE + 1
     radius = float(axis[-1])
@@ -173,7 +189,7 @@ def _polynomial_table(remainder_at, axis):
     orthogonal[:, 0] /= 2
     coefficients = orthogonal.T @ values @ orthogonal
 
-    def at(places):
+    def at(places: np.ndarray) -> np.ndarray:
         return np.polynomial.chebyshev.chebvander(places / radius, DEGREE)
 
     probe = np.linspace(-radius, radius, 9)

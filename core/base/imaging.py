@@ -7,7 +7,10 @@ pixel's centre unless said otherwise.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy import ndimage, sparse
 
 from . import imaging
@@ -29,12 +32,12 @@ STRIP_PX = 32
 REMAP_LIMIT_PX = 32_767  # cv2.remap refuses any longer side
 
 
-def _cv2():
+def _cv2() -> Any:
     """OpenCV or None; the one seam at which tests take it away."""
     return available("cv2")
 
 
-def to_grey(pixels):
+def to_grey(pixels: np.ndarray) -> np.ndarray:
     """Luma of a uint8 (H, W, 3) RGB picture, uint8 (H, W), BT.601 in OpenCV's rounding."""
     cv2 = _cv2()
     if cv2:
@@ -45,7 +48,7 @@ def to_grey(pixels):
     return (total >> 15).astype(np.uint8)
 
 
-def rgb_to_lab(rgb):
+def rgb_to_lab(rgb: ArrayLike) -> np.ndarray:
     """CIE L*a*b* (D65) of an sRGB picture.
 
     Parameters
@@ -67,7 +70,7 @@ def rgb_to_lab(rgb):
     return np.stack([lightness, 500 * (x - y), 200 * (y - z)], -1).astype(np.float32)
 
 
-def shrink(image, width_px, height_px):
+def shrink(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
     """Resample a picture to a smaller one by exact area averaging, float32.
 
     Parameters
@@ -100,14 +103,14 @@ def shrink(image, width_px, height_px):
     return out
 
 
-def shrink_to(image, long_side_px):
+def shrink_to(image: np.ndarray, long_side_px: float) -> np.ndarray:
     """Reduce a picture by `shrink` to a long side [pixels]; one that is smaller keeps its size."""
     height, width = image.shape[:2]
     factor = min(1.0, long_side_px / max(height, width))
     return shrink(image, max(1, round(width * factor)), max(1, round(height * factor)))
 
 
-def _area_weights(size, size_out):
+def _area_weights(size: int, size_out: int) -> sparse.csr_matrix:
     """(size_out, size) sparse matrix that averages each new pixel's span of old ones."""
     edges = np.arange(size_out + 1) * (size / size_out)
     cuts = np.unique(np.concatenate([edges, np.arange(size + 1)]))
@@ -119,7 +122,7 @@ def _area_weights(size, size_out):
     return weights.tocsr().astype(np.float32)
 
 
-def gaussian_blur(image, sigma_px):
+def gaussian_blur(image: np.ndarray, sigma_px: float | tuple[float, float]) -> np.ndarray:
     """Blur a float32 (H, W) or (H, W, C) picture by a Gaussian cut at four sigmas.
 
     `sigma_px` is one number or (down, across) [pixels]; 0 leaves that direction alone.
@@ -134,8 +137,20 @@ def gaussian_blur(image, sigma_px):
     return ndimage.gaussian_filter(image.astype(np.float32), sigmas, mode="mirror", truncate=4.0)
 
 
-def box_mean(image, width_px, height_px):
-    """Mean over a centred odd rectangle; uint8 pictures come back rounded to uint8, others float32."""
+def box_mean(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
+    """Mean over a centred rectangle.
+
+    Parameters
+    ----------
+    image : (H, W) or (H, W, C) array
+    width_px, height_px : int
+        Sides of the rectangle, both odd [pixels].
+
+    Returns
+    -------
+    array
+        Of the picture's shape: uint8 pictures rounded to uint8, others float32.
+    """
     cv2 = _cv2()
     if cv2:
         image = image if image.dtype == np.uint8 else image.astype(np.float32)
@@ -145,7 +160,7 @@ def box_mean(image, width_px, height_px):
     return np.rint(mean).astype(np.uint8) if image.dtype == np.uint8 else mean.astype(np.float32)
 
 
-def median(image, size_px):
+def median(image: np.ndarray, size_px: int) -> np.ndarray:
     """Median over a centred odd square of a uint8 (H, W) picture, borders replicated."""
     cv2 = _cv2()
     if cv2:
@@ -161,7 +176,7 @@ def median(image, size_px):
     return out
 
 
-def _median_by_levels(tile, size_px):
+def _median_by_levels(tile: np.ndarray, size_px: int) -> np.ndarray:
     """Median of every full window of a tile: the number of grey levels that fewer than half its pixels reach."""
     low, high = int(tile.min()), int(tile.max())
     result = np.full((tile.shape[0] - size_px + 1, tile.shape[1] - size_px + 1), low, np.uint8)
@@ -173,7 +188,7 @@ def _median_by_levels(tile, size_px):
     return result
 
 
-def laplacian(image):
+def laplacian(image: np.ndarray) -> np.ndarray:
     """Laplacian by the 4-neighbour kernel of a uint8 or float (H, W) picture, signed float32."""
     cv2 = _cv2()
     if cv2:
@@ -181,15 +196,22 @@ def laplacian(image):
     return ndimage.laplace(image.astype(np.float32), mode="mirror")
 
 
-def erode(mask, width_px, height_px):
-    """Shrink the true part of a boolean (H, W) mask by a centred rectangle; the border itself erodes nothing."""
+def erode(mask: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
+    """Shrink the true part of a mask by a centred rectangle; the border itself erodes nothing.
+
+    Parameters
+    ----------
+    mask : (H, W) bool array
+    width_px, height_px : int
+        Sides of the rectangle, both odd [pixels].
+    """
     cv2 = _cv2()
     if cv2:
         return cv2.erode(mask.astype(np.uint8), np.ones((height_px, width_px), np.uint8)) > 0
     return ndimage.minimum_filter(mask.astype(np.uint8), (height_px, width_px), mode="constant", cval=1) > 0
 
 
-def maximum_down(image, size_px):
+def maximum_down(image: np.ndarray, size_px: int) -> np.ndarray:
     """Largest value within a centred odd window along each column of a float32 (H, W) picture."""
     cv2 = _cv2()
     if cv2:
@@ -197,18 +219,24 @@ def maximum_down(image, size_px):
     return ndimage.maximum_filter1d(image.astype(np.float32), size_px, axis=0, mode="nearest")
 
 
-def sample_bilinear(image, x_px, y_px, outside=0.0):
-    """Interpolate a float32 (H, W) picture at points of any shape; beyond the border it continues as `outside`.
+def sample_bilinear(image: np.ndarray, x_px: np.ndarray, y_px: np.ndarray, outside: float = 0.0) -> np.ndarray:
+    """Interpolate a picture at points.
 
-    NaN coordinates give `outside`. Apart from `terrain.bilinear`, as OpenCV does it many times faster in steps of 1/32
-    pixel: fine enough for pictures, and too coarse for terrain.
+    Separate from `terrain.bilinear`: OpenCV does this many times faster, in steps of 1/32 pixel, which is fine enough
+    for pictures and too coarse for terrain.
 
     Parameters
     ----------
-    image : (H, W) float32 array
+    image : (H, W) array
     x_px, y_px : array
-        The first pixel's centre at 0 [pixels].
+        Points of any common shape [pixels].
     outside : float
+        Value of the picture beyond its border, and of NaN coordinates.
+
+    Returns
+    -------
+    float32 array
+        Of the points' shape.
     """
     finite = np.isfinite(x_px) & np.isfinite(y_px)
     x = np.where(finite, x_px, -9.0).astype(np.float32)
@@ -225,7 +253,7 @@ THUMBNAIL_PX = 64
 """Long side: coarser than trees and gullies, fine enough for the faces of mountains [pixels]."""
 
 
-def thumbnail(pixels, crop=(0, 0, 0, 0)):
+def thumbnail(pixels: np.ndarray, crop: tuple[int, int, int, int] = (0, 0, 0, 0)) -> np.ndarray:
     """Reduce a picture.
 
     Parameters

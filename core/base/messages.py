@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Any
 
 
 class Message(str):
@@ -26,33 +28,35 @@ class Message(str):
     """
 
     __slots__ = ("_facts", "_template")
+    _facts: dict[str, str | int]
+    _template: str
 
-    def __new__(cls, template, /, **facts):
+    def __new__(cls, template: str, /, **facts: object) -> Message:
         """Fill the template in; a fact that it names and that is not given is a `KeyError`."""
-        facts = {name: fact if isinstance(fact, (str, int)) else str(fact) for name, fact in facts.items()}
-        message = super().__new__(cls, template.format(**facts))
-        message._template, message._facts = template, facts
+        kept = {name: fact if isinstance(fact, (str, int)) else str(fact) for name, fact in facts.items()}
+        message = super().__new__(cls, template.format(**kept))
+        message._template, message._facts = template, kept
         return message
 
     @classmethod
-    def restored(cls, template, facts):
+    def restored(cls, template: str, facts: dict[str, object]) -> Message:
         """Give the message of a template and a dict of facts that were kept somewhere."""
         return cls(template, **facts)
 
     @property
-    def template(self):
+    def template(self) -> str:
         """The sentence with names in braces for its facts."""
         return self._template
 
     @property
-    def facts(self):
+    def facts(self) -> Mapping[str, str | int]:
         """Read-only mapping of the facts by their names."""
         return MappingProxyType(self._facts)
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         """Pickle and copy as template and facts."""
         return Message.restored, (self._template, self._facts)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """Show the call that makes the message."""
         return f"Message({', '.join([repr(self._template), *(f'{k}={v!r}' for k, v in self._facts.items())])})"

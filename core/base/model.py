@@ -67,7 +67,7 @@ class PhotoMetadata:
     position_error_m: float | None = None
     taken_at: datetime | None = None
     camera: str | None = None
-    notes: tuple = ()
+    notes: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +99,7 @@ class Skyline:
     height_px: int
 
     @property
-    def valid(self):
+    def valid(self) -> np.ndarray:
         """(W,) bool: columns with a believable boundary."""
         return self.confidence > 0
 
@@ -135,7 +135,7 @@ class SkylineEvidence:
     best: Skyline
     width_px: int
     height_px: int
-    crop: tuple = (0, 0, 0, 0)
+    crop: tuple[int, int, int, int] = (0, 0, 0, 0)
     sky_score: np.ndarray | None = None
     ridge_score: np.ndarray | None = None
     leaves_frame: np.ndarray | None = None
@@ -184,7 +184,7 @@ class Orientation:
 
     status: str
     message: Message
-    candidates: tuple = ()
+    candidates: tuple[Candidate, ...] = ()
     heading_lo_deg: float | None = None
     heading_hi_deg: float | None = None
     p_correct: float | None = None
@@ -194,11 +194,11 @@ class Orientation:
     ncc_second: float | None = None
     sharpness: float | None = None
     residual_px: np.ndarray | None = None
-    notes: tuple = ()
+    notes: tuple[Message, ...] = ()
     behind: bool = False
 
     @property
-    def best(self):
+    def best(self) -> Candidate | None:
         """The first candidate, or None."""
         return self.candidates[0] if self.candidates else None
 

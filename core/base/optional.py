@@ -5,7 +5,9 @@ from __future__ import annotations
 import importlib
 import os
 import sys
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from .errors import MissingPackageError
 from .messages import Message
@@ -14,7 +16,7 @@ PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exi
              "osgeo.gdal": '"skyline-viewshed[gdal]"'}  # fmt: skip
 
 
-def available(module):
+def available(module: str) -> Any:
     """Import an optional module and return it, or None where it is missing or broken."""
     if sys.modules.get(module) is not None:
         return sys.modules[module]
@@ -26,7 +28,7 @@ def available(module):
 
 
 @contextmanager
-def _own_libraries_first(module):
+def _own_libraries_first(module: str) -> Iterator[None]:
     """Bind Pillow and pillow-heif to the libraries that their wheels bring.
 
     On Linux the QGIS programs have GDAL's libheif and Qt's freetype in their global scope. Without RTLD_DEEPBIND a
@@ -43,7 +45,7 @@ def _own_libraries_first(module):
         sys.setdlopenflags(flags)
 
 
-def require(module, feature):
+def require(module: str, feature: str) -> Any:
     """Import an optional module or raise `MissingPackageError`; it names the feature, a `Message`, and the command."""
     found = available(module)
     if found is None:
@@ -58,7 +60,7 @@ def require(module, feature):
     return found
 
 
-def install_hint(module):
+def install_hint(module: str) -> str:
     """Say in one sentence how to install a package: into this Python, or into the one that QGIS brings."""
     package = PIP_NAMES.get(module, module)
     if "qgis" not in sys.modules:

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from .angles import difference
-from .camera import project
+from .camera import Camera, Pose, project
+from .model import HorizonProfile, OrientedPhoto, Skyline
 
 OUTSIDE = 0.25
 """Share of the picture's size by which a line may leave it before it is cut."""
@@ -30,7 +31,7 @@ class OverlayLine:
     y_px: np.ndarray
     doubtful: np.ndarray
 
-    def part(self, doubtful):
+    def part(self, doubtful: bool) -> tuple[np.ndarray, np.ndarray]:
         """(x, y) of the doubtful or of the firm stretches, the rest NaN."""
         keep = self.doubtful == doubtful
         # A stretch takes its last neighbour along, so that firm and doubtful ones join.
@@ -38,7 +39,7 @@ class OverlayLine:
         return np.where(keep, self.x_px, np.nan), np.where(keep, self.y_px, np.nan)
 
 
-def horizon_line(horizon, camera, pose):
+def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> OverlayLine:
     """Project a DEM horizon into the picture of a camera.
 
     Parameters
@@ -67,10 +68,16 @@ def horizon_line(horizon, camera, pose):
     return _trimmed(np.where(near, x, np.nan), np.where(near, y, np.nan), doubtful)
 
 
-def skyline_line(skyline, width_px, height_px):
-    """Bring an extracted skyline to pixels of the full upright picture of `width_px` x `height_px`.
+def skyline_line(skyline: Skyline, width_px: int, height_px: int) -> OverlayLine:
+    """Bring an extracted skyline to pixels of the full upright picture.
 
     The line is the boundary: the upper edge of the first terrain pixels.
+
+    Parameters
+    ----------
+    skyline : Skyline
+    width_px, height_px : int
+        Size of the full upright picture [pixels].
     """
     row = np.asarray(skyline.row_px, float)
     x = (np.arange(len(row)) + 0.5) * (width_px / skyline.width_px) - 0.5
@@ -78,7 +85,7 @@ def skyline_line(skyline, width_px, height_px):
     return OverlayLine(x, y, ~np.asarray(skyline.valid, bool))
 
 
-def photo_lines(photo):
+def photo_lines(photo: OrientedPhoto) -> tuple[OverlayLine | None, list[OverlayLine]]:
     """All lines of an `OrientedPhoto`.
 
     Returns
@@ -99,7 +106,7 @@ def photo_lines(photo):
     return extracted, horizons
 
 
-def skyline_residuals_px(photo):
+def skyline_residuals_px(photo: OrientedPhoto) -> np.ndarray | None:
     """Extracted skyline minus the best answer's horizon along the columns of the skyline.
 
     Returns
@@ -120,7 +127,7 @@ def skyline_residuals_px(photo):
     return np.where(extracted.doubtful, np.nan, extracted.y_px - row)
 
 
-def full_size(photo):
+def full_size(photo: OrientedPhoto) -> tuple[int, int]:
     """(width, height) of the full upright picture [pixels], from the best source an `OrientedPhoto` has."""
     if photo.camera is not None:
         return photo.camera.width_px, photo.camera.height_px
@@ -133,11 +140,11 @@ def full_size(photo):
     raise ValueError("the photo has neither camera, metadata, preview nor skyline")
 
 
-def _with_neighbours(mask):
+def _with_neighbours(mask: np.ndarray) -> np.ndarray:
     return mask | np.r_[False, mask[:-1]] | np.r_[mask[1:], False]
 
 
-def _trimmed(x, y, doubtful):
+def _trimmed(x: np.ndarray, y: np.ndarray, doubtful: np.ndarray) -> OverlayLine:
     """Drop unknown points except one between known stretches."""
     known = np.isfinite(x)
     keep = known | np.r_[False, known[:-1]]

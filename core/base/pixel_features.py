@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 KINDS = ("point", "line", "polygon")
 
@@ -30,21 +33,21 @@ class PixelFeature:
 
     photo: str
     kind: str
-    parts: tuple
+    parts: tuple[np.ndarray, ...]
     label: str = ""
-    attributes: dict = field(default_factory=dict)
+    attributes: dict[str, Any] = field(default_factory=dict)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise ValueError(f"kind must be one of {KINDS}, not {self.kind!r}")
 
 
-def photo_key(photo):
+def photo_key(photo: object) -> str:
     """What photographs are matched by: the file's name in lower case, without folders."""
     return str(photo).replace("\\", "/").rsplit("/", 1)[-1].lower()
 
 
-def for_photo(features, path):
+def for_photo(features: Iterable[PixelFeature], path: object) -> list[PixelFeature]:
     """Features that belong to a photo: by its file's name, with or without the extension; '' belongs to any."""
     key = photo_key(path)
     stem = key.rsplit(".", 1)[0]
@@ -53,7 +56,7 @@ def for_photo(features, path):
     ]
 
 
-def downward(parts):
+def downward(parts: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
     """Turn y downwards where it was counted upwards from the top, as QGIS does on a picture without georeference.
 
     There the upper left corner is (0, 0) and the picture lies at negative y.
@@ -64,7 +67,7 @@ def downward(parts):
     return tuple(parts)
 
 
-def open_ring(points):
+def open_ring(points: ArrayLike) -> np.ndarray:
     """Drop the last vertex of a ring where it repeats the first."""
     points = np.asarray(points, float).reshape(-1, 2)
     return points[:-1] if len(points) > 1 and np.array_equal(points[0], points[-1]) else points

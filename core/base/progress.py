@@ -19,10 +19,10 @@ class Progress(Protocol):
 
 
 class _Silent:
-    def report(self, fraction):
+    def report(self, fraction: float) -> None:
         pass
 
-    def cancelled(self):
+    def cancelled(self) -> bool:
         return False
 
 
@@ -57,15 +57,23 @@ class _Subtask:
     start: float
     stop: float
 
-    def report(self, fraction):
+    def report(self, fraction: float) -> None:
         self.parent.report(self.start + (self.stop - self.start) * fraction)
 
-    def cancelled(self):
+    def cancelled(self) -> bool:
         return self.parent.cancelled()
 
 
 def subtask(progress: Progress, start: float, stop: float) -> Progress:
-    """Give a part of the work its share of the bar, from `start` to `stop` (0 to 1)."""
+    """Give a part of the work its share of the bar.
+
+    Parameters
+    ----------
+    progress : Progress
+        Of the whole work.
+    start, stop : float
+        Where the part begins and ends, 0 to 1.
+    """
     return _Subtask(progress, start, stop)
 
 

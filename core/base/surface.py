@@ -2,16 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .camera import to_camera_axes
-from .terrain import Window, bilinear
+from .frame import LocalFrame
+from .terrain import Terrain, Window, bilinear
+from .view import View
 
 TILE_CELLS = 1024
 
 
-def sample_pixels(terrain, col_px, row_px):
-    """Elevation at pixels of the whole raster [m], bilinear; NaN outside and beside voids. Shapes broadcast."""
+def sample_pixels(terrain: Terrain, col_px: ArrayLike, row_px: ArrayLike) -> np.ndarray:
+    """Elevation at pixels of the whole raster, bilinear.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    col_px, row_px : array
+        Pixels of the whole raster; broadcast together.
+
+    Returns
+    -------
+    array
+        [m]; NaN outside and beside voids.
+    """
     col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
     col, row = col_px.ravel(), row_px.ravel()
     elevation = np.full(col.shape, np.nan)
@@ -29,18 +46,31 @@ def sample_pixels(terrain, col_px, row_px):
     return elevation.reshape(col_px.shape)
 
 
-def _around(row, col, shape):
+def _around(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> Window:
     top, left = int(np.floor(row.min())), int(np.floor(col.min()))
     bottom, right = int(np.ceil(row.max())) + 1, int(np.ceil(col.max())) + 1
     return Window(top - 1, left - 1, bottom - top + 2, right - left + 2).clipped(shape)
 
 
-def elevation_at(terrain, frame, east_m, north_m):
-    """Elevation of the surface at local places [m]; NaN outside and beside voids."""
+def elevation_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
+    """Elevation of the surface at local places.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+    east_m, north_m : array
+        [m]; broadcast together.
+
+    Returns
+    -------
+    array
+        [m]; NaN outside and beside voids.
+    """
     return sample_pixels(terrain, *frame.to_pixel(east_m, north_m))
 
 
-def normal_at(terrain, frame, east_m, north_m):
+def normal_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
     """Unit normal of the surface at local places.
 
     Parameters
@@ -64,10 +94,15 @@ def normal_at(terrain, frame, east_m, north_m):
     return normal / np.linalg.norm(normal, axis=0)
 
 
-def incidence_deg(normal, azimuth_deg, elevation_deg):
-    """Angle between the surface's normal and the way back to the eye [degrees]: 0 head-on, 90 grazing.
+def incidence_deg(normal: np.ndarray, azimuth_deg: ArrayLike, elevation_deg: ArrayLike) -> np.ndarray:
+    """Angle between the surface's normal and the direction back to the eye [degrees]: 0 head-on, 90 grazing.
 
-    `azimuth_deg` and `elevation_deg` are the ray's, as the eye sends it.
+    Parameters
+    ----------
+    normal : (3, N) array
+        Unit normal (east, north, up).
+    azimuth_deg, elevation_deg : (N,) arrays
+        Direction of the ray from the eye to the surface [degrees].
     """
     azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
     back = -np.stack([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
@@ -81,8 +116,20 @@ GRAZING_COSINE = 0.02
 """Beyond 88.9 degrees of incidence the distance along the line of sight is not told apart from infinite."""
 
 
-def local_places(frame, row, col):
-    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them."""
+def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    row, col : (N,) arrays
+        Pixels of the whole raster, close enough together for a table over them.
+
+    Returns
+    -------
+    east_m, north_m : (N,) arrays
+        [m].
+    """
     if frame.remainder_px is None:
         return frame.to_local(col, row)
     r0, c0 = row.min(), col.min()
@@ -93,16 +140,46 @@ def local_places(frame, row, col):
     return bilinear(east, *place), bilinear(north, *place)
 
 
-def patch_around(terrain, row, col):
-    """Elevations around scattered DEM pixels of one tile, and where in it they lie."""
+def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Elevations around scattered DEM pixels of one tile.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    row, col : (N,) arrays
+        Pixels of the whole raster.
+
+    Returns
+    -------
+    patch : (R, C) float32 array
+        Elevations [m].
+    row, col : (N,) arrays
+        The same places in pixels of the patch.
+    """
     top, left = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
     window = Window(top, left, int(np.ceil(row.max())) + 2 - top, int(np.ceil(col.max())) + 2 - left)
     window = window.clipped(terrain.shape)
     return terrain.read(window), row - window.row, col - window.col
 
 
-def normal_of(z, row, col, frame):
-    """(east, north, up) of the surface's unit normal at the cells nearest to places of a patch."""
+def normal_of(
+    z: np.ndarray, row: np.ndarray, col: np.ndarray, frame: LocalFrame
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Unit normal of the surface at the cells nearest to places of a patch.
+
+    Parameters
+    ----------
+    z : (R, C) array
+        Elevations [m].
+    row, col : (N,) arrays
+        Places in pixels of `z`.
+    frame : LocalFrame
+        For the cells' size and direction on the ground.
+
+    Returns
+    -------
+    east, north, up : (N,) arrays
+    """
     rows, cols = z.shape
     r = np.clip(np.rint(row).astype(np.intp), 0, rows - 1)
     c = np.clip(np.rint(col).astype(np.intp), 0, cols - 1)
@@ -118,7 +195,9 @@ def normal_of(z, row, col, frame):
     return -dz_east / length, -dz_north / length, 1 / length
 
 
-def sampling_distance_m(view, east, north, rise, normal):
+def sampling_distance_m(
+    view: View, east: np.ndarray, north: np.ndarray, rise: np.ndarray, normal: Sequence[np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
     """Ground sampling distance: metres of ground per pixel, across and along the line of sight.
 
     Parameters

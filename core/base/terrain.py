@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .errors import NoElevationAtObserverError, ObserverOutsideDemError
 from .frame import LocalFrame, tabulate_frame
@@ -23,7 +24,7 @@ class Window:
     rows: int
     cols: int
 
-    def clipped(self, shape):
+    def clipped(self, shape: tuple[int, int]) -> Window:
         """Cut to a raster of `shape` (rows, columns); may come out empty (rows or cols 0)."""
         row, col = max(self.row, 0), max(self.col, 0)
         rows = max(min(self.row + self.rows, shape[0]) - row, 0)
@@ -122,16 +123,17 @@ class ArrayTerrain(Terrain):
         return f"<ArrayTerrain: {rows} x {cols} cells of {self.cell_m:g} m, {heights}, {place}>"
 
     @property
-    def shape(self):
+    def shape(self) -> tuple[int, int]:  # type: ignore[override]  # nobody sets a terrain's shape from outside
         """(rows, columns)."""
-        return self.elevation_m.shape
+        rows, cols = self.elevation_m.shape
+        return rows, cols
 
-    def read(self, window):
+    def read(self, window: Window) -> np.ndarray:
         """See `Terrain.read`."""
         rows = slice(window.row, window.row + window.rows)
         return self.elevation_m[rows, window.col : window.col + window.cols].astype(np.float32)
 
-    def frame(self, longitude_deg, latitude_deg, radius_m):
+    def frame(self, longitude_deg: float, latitude_deg: float, radius_m: float) -> LocalFrame:
         """See `Terrain.frame`."""
         col, row = self.pixel_of(longitude_deg, latitude_deg)
         return tabulate_frame(
@@ -142,19 +144,19 @@ class ArrayTerrain(Terrain):
             size=3,
         )
 
-    def local_of(self, observer, longitude_deg, latitude_deg):
+    def local_of(self, observer: Observer, longitude_deg: float, latitude_deg: float) -> tuple[float, float]:
         """True (east, north) of a position from an observer [m]."""
         frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
         return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
 
-    def pixel_of(self, longitude_deg, latitude_deg):
+    def pixel_of(self, longitude_deg: float, latitude_deg: float) -> tuple[float, float]:
         """(col, row) of a position [pixels]."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
         col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(np.radians(self.latitude_deg))
         return col, (rows - 1) / 2 - (latitude_deg - self.latitude_deg) * per_degree
 
-    def position_of(self, col_px, row_px):
+    def position_of(self, col_px: float, row_px: float) -> tuple[float, float]:
         """(longitude, latitude) of a pixel [degrees]; inverse of `pixel_of`."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
@@ -162,7 +164,7 @@ class ArrayTerrain(Terrain):
         return longitude, self.latitude_deg - (row_px - (rows - 1) / 2) / per_degree
 
 
-def bilinear(elevation_m, row_px, col_px):
+def bilinear(elevation_m: np.ndarray, row_px: ArrayLike, col_px: ArrayLike) -> np.ndarray:
     """Sample an array between its cell centres.
 
     This function knows of voids and edges, and serves all that is not named here. For speed `base.frame`,
@@ -199,7 +201,7 @@ def bilinear(elevation_m, row_px, col_px):
     return np.where(outside, np.nan, total)
 
 
-def ground_elevation_m(terrain, frame):
+def ground_elevation_m(terrain: Terrain, frame: LocalFrame) -> float:
     """Elevation of the terrain under the frame's observer [m].
 
     Raises
@@ -220,7 +222,7 @@ def ground_elevation_m(terrain, frame):
     return elevation
 
 
-def eye_elevation_m(terrain, frame, observer):
+def eye_elevation_m(terrain: Terrain, frame: LocalFrame, observer: Observer) -> float:
     """Absolute elevation of the observer's eye [m]: as given, else the terrain's surface plus the eye height.
 
     Parameters

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .camera import Camera, Pose, in_frame, project, project_vectors, unproject
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
@@ -49,11 +50,13 @@ class View:
         """How well all this is known."""
         return self.photo.uncertainty
 
-    def ray_of(self, x_px, y_px):
+    def ray_of(self, x_px: ArrayLike, y_px: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Direction of pixels: true azimuth and elevation angle [degrees]."""
         return unproject(self.camera, self.pose, x_px, y_px)
 
-    def direction_of(self, east_m, north_m, elevation_m):
+    def direction_of(
+        self, east_m: ArrayLike, north_m: ArrayLike, elevation_m: ArrayLike
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Give the direction of places as the eye sees them.
 
         Parameters
@@ -73,7 +76,7 @@ class View:
         elevation = np.degrees(np.arctan2(self.rise_of(east_m, north_m, elevation_m), distance))
         return azimuth, elevation, distance
 
-    def pixel_of(self, east_m, north_m, elevation_m):
+    def pixel_of(self, east_m: ArrayLike, north_m: ArrayLike, elevation_m: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Give the pixels (x, y) of places, whether or not anything hides them; NaN behind the camera.
 
         Parameters
@@ -85,7 +88,7 @@ class View:
         """
         return project_vectors(self.camera, self.pose, east_m, north_m, self.rise_of(east_m, north_m, elevation_m))
 
-    def rise_of(self, east_m, north_m, elevation_m):
+    def rise_of(self, east_m: ArrayLike, north_m: ArrayLike, elevation_m: ArrayLike) -> np.ndarray:
         """Give the apparent height of places above the eye's horizontal plane, curvature and refraction included [m].
 
         Parameters
@@ -98,12 +101,12 @@ class View:
         drop = apparent_drop_m(np.hypot(east_m, north_m), self.refraction_coefficient)
         return np.subtract(elevation_m, self.eye_elevation_m) - drop
 
-    def frames(self, x_px, y_px):
+    def frames(self, x_px: np.ndarray, y_px: np.ndarray) -> np.ndarray:
         """Tell which pixels lie on the picture."""
         return in_frame(self.camera, x_px, y_px)
 
     @property
-    def wedge_deg(self):
+    def wedge_deg(self) -> tuple[float, float]:
         """(centre azimuth, width) of the picture's outline [degrees]; width 360 where a pole is in the picture."""
         x, y = outline_px(self.camera)
         azimuth, elevation = self.ray_of(x, y)
@@ -113,12 +116,12 @@ class View:
         return self.pose.heading_deg + (turn.min() + turn.max()) / 2, float(turn.max() - turn.min())
 
 
-def _holds_a_pole(view):
+def _holds_a_pole(view: View) -> bool:
     x, y = project(view.camera, view.pose, view.pose.heading_deg, np.array([90.0, -90.0]))
     return bool(np.any(view.frames(x, y)))
 
 
-def outline_px(camera, per_side=33):
+def outline_px(camera: Camera, per_side: int = 33) -> tuple[np.ndarray, np.ndarray]:
     """(x, y) of the picture's outer edge, clockwise from the upper left, closed [pixels]."""
     t = np.linspace(0.0, 1.0, per_side)[:-1]
     x = np.concatenate([t, np.ones_like(t), 1 - t, np.zeros_like(t), [0.0]])

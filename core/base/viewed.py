@@ -108,17 +108,17 @@ class ArraySink(Sink):
     dtype : numpy.dtype
     """
 
-    def __init__(self, window, dtype=np.uint8):
+    def __init__(self, window: Window, dtype: Any = np.uint8) -> None:
         self.window, self.dtype = window, np.dtype(dtype)
         self.wants_clearance = self.dtype.kind == "f"
         self.values = np.zeros((window.rows, window.cols), self.dtype)
 
-    def add(self, window, values):
+    def add(self, window: Window, values: np.ndarray) -> None:
         """See `Sink.add`."""
         row, col = window.row - self.window.row, window.col - self.window.col
         place = self.values[row : row + window.rows, col : col + window.cols]
         np.add(place, values, out=place)
 
-    def set(self, row, col, value):
+    def set(self, row: int, col: int, value: int) -> None:
         """See `Sink.set`."""
         self.values[row - self.window.row, col - self.window.col] = value

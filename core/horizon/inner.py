@@ -37,6 +37,17 @@ class InnerTerrain:
 def inner_terrain(terrain, observer, options=InnerOptions(), progress=SILENT):  # noqa: B008 - frozen
     """Look at the terrain around an observer.
 
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    options : InnerOptions
+    progress : Progress
+
+    Returns
+    -------
+    InnerTerrain
+
     Raises
     ------
     ObserverOutsideDemError, NoElevationAtObserverError

@@ -56,7 +56,14 @@ def sky_view_of_horizon(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0)
 
 
 def sky_view_factor(profile, slope_deg=0.0, aspect_deg=0.0):
-    """Sky view factor of a `HorizonProfile`'s observer; a level facet unless told otherwise."""
+    """Sky view factor of a horizon profile's observer.
+
+    Parameters
+    ----------
+    profile : HorizonProfile
+    slope_deg, aspect_deg : float
+        Slope of the observer's facet, and the azimuth that it faces [degrees]; level by default.
+    """
     return float(sky_view_of_horizon(profile.azimuth_deg, profile.elevation_deg, slope_deg, aspect_deg))
 
 

@@ -96,13 +96,39 @@ class Transformer:
 
 
 def from_wgs84(crs, longitude_deg, latitude_deg):
-    """Map WGS 84 longitude and latitude [degrees] to (x, y) of a CRS; NaN where it is not defined."""
+    """Map WGS 84 positions to a CRS.
+
+    Parameters
+    ----------
+    crs : str
+        WKT, or what `spatial_reference` takes.
+    longitude_deg, latitude_deg : float or array
+        [degrees].
+
+    Returns
+    -------
+    x, y : float or array
+        In the units of the CRS; NaN where it is not defined.
+    """
     x, y = Transformer(WGS84, crs)(longitude_deg, latitude_deg)
     return x[()], y[()]
 
 
 def to_wgs84(crs, x, y):
-    """Map (x, y) of a CRS to WGS 84 (longitude, latitude) [degrees]; NaN where it is not defined."""
+    """Map places of a CRS to WGS 84.
+
+    Parameters
+    ----------
+    crs : str
+        WKT, or what `spatial_reference` takes.
+    x, y : float or array
+        In the units of the CRS.
+
+    Returns
+    -------
+    longitude_deg, latitude_deg : float or array
+        [degrees]; NaN where the transformation is not defined.
+    """
     longitude_deg, latitude_deg = Transformer(crs, WGS84)(x, y)
     return longitude_deg[()], latitude_deg[()]
 

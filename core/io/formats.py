@@ -51,7 +51,19 @@ def format_of(path):
 
 
 def check_size(path, width_px, height_px):
-    """Refuse pictures of no size or of more than `MAX_PIXELS`."""
+    """Refuse pictures of no size or of more than `MAX_PIXELS`.
+
+    Parameters
+    ----------
+    path : str
+        For the error.
+    width_px, height_px : int
+        Size of the picture as stored or upright [pixels].
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
     if width_px < 1 or height_px < 1:
         raise UnreadablePhotoError(path, Message("it has no pixels. Copy it again from its source."))
     if width_px * height_px > MAX_PIXELS:

@@ -10,7 +10,21 @@ from .crs import spatial_reference
 
 
 def crs_of(path, dataset, crs=None):
-    """WKT of a GDAL dataset's CRS, or of `crs` in its place; refused where it is not one on the Earth."""
+    """WKT of the CRS of a DEM.
+
+    Parameters
+    ----------
+    path : str
+        For the error.
+    dataset : osgeo.gdal.Dataset
+    crs : str or None
+        Takes the place of the dataset's own.
+
+    Raises
+    ------
+    UnusableDemError
+        If the CRS is missing or not one on the Earth.
+    """
     reference = dataset.GetSpatialRef() if crs is None else spatial_reference(crs)
     if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
         raise UnusableDemError(

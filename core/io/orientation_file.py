@@ -39,6 +39,13 @@ def orientation_mark(request, dem, options):
 
     Changed files are noticed by their size and time of change, as by `make`; a changed program by its source, since
     every version judges a little differently.
+
+    Parameters
+    ----------
+    request : PhotoRequest
+    dem : Dem
+    options : PipelineOptions
+        Anything else that decides the answer, by its `repr`.
     """
     facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
     facts += [dem.shape, dem.geotransform, dem.crs_wkt, request, options]

@@ -142,7 +142,16 @@ class RasterFile:
         self.path, self._dataset, self._messages = path, dataset, messages
 
     def write(self, values, row=0, col=0, band=1):
-        """Write a (rows, cols) block; best in strips of a multiple of `BLOCK_PX` rows."""
+        """Write a block; best in strips of a multiple of `BLOCK_PX` rows.
+
+        Parameters
+        ----------
+        values : (rows, cols) array
+        row, col : int
+            Cell of the raster where the block begins.
+        band : int
+            Counted from 1.
+        """
         target = self._dataset.GetRasterBand(band)
         for start in range(0, values.shape[0], 16 * BLOCK_PX):
             strip = np.ascontiguousarray(values[start : start + 16 * BLOCK_PX])

@@ -30,7 +30,8 @@ class ReportWriter(PageWriter):
         Decides how far pictures are reduced.
     """
 
-    def __init__(  # seven: those of `PageWriter`, and one of its own
+    # parameters: those of `PageWriter`, and one of its own
+    def __init__(
         self,
         document,
         title,

@@ -67,7 +67,17 @@ def pixel_directions(camera, pose, rows=None):
 
 
 def ring_distances_m(cell_m, focal_px, range_m):
-    """Distances at which planes are sampled: dense near the eye, then about half a cell or a pixel."""
+    """Distances at which planes are sampled: dense near the eye, then about half a cell or a pixel.
+
+    Parameters
+    ----------
+    cell_m : float
+        Ground size of the terrain's cells [m].
+    focal_px : float
+        Focal length [pixels].
+    range_m : float
+        The distances end before it [m].
+    """
     distances, distance = [], 0.7
     while distance < range_m:
         distances.append(distance)
@@ -172,6 +182,12 @@ def first_hits_m(fan, azimuth_deg, tangent):
 def skyline_row_px(fan, camera, pose):
     """Exact boundary of sky and terrain.
 
+    Parameters
+    ----------
+    fan : Fan
+    camera : Camera
+    pose : Pose
+
     Returns
     -------
     (W,) array
@@ -232,7 +248,21 @@ def turns_deg(camera, pose):
 
 
 def trace(fan, camera, pose, eye_m, progress):
-    """Find the ground behind every pixel."""
+    """Find the ground behind every pixel.
+
+    Parameters
+    ----------
+    fan : Fan
+    camera : Camera
+    pose : Pose
+    eye_m : float
+        Elevation of the eye [m].
+    progress : Progress
+
+    Returns
+    -------
+    Traced
+    """
     shape = camera.height_px, camera.width_px
     fields = [np.empty(shape, np.float32) for _ in range(6)]
     for rows in row_blocks(camera):

@@ -74,6 +74,18 @@ def noise_tile(seed, slope=1.0, longest_cells=np.inf):
 
     Waves longer than `longest_cells` are left out: a tile that is repeated many times in a picture must not have
     features of its own period.
+
+    Parameters
+    ----------
+    seed : int
+    slope : float
+        Power of the frequency.
+    longest_cells : float
+        Longest wave [cells].
+
+    Returns
+    -------
+    NoiseTile
     """
     cells = TILE_CELLS
     spectrum, frequency = power_spectrum(seed, slope, cells)
@@ -128,6 +140,13 @@ def power_spectrum(seed, slope, cells):
 
 
 def smoothstep(low, high, x):
-    """Rise from 0 at `low` to 1 at `high` without a kink at either end."""
+    """Rise from 0 to 1 without a kink at either end.
+
+    Parameters
+    ----------
+    low, high : float
+        Where the rise begins and ends; falls if `high` is below `low`.
+    x : array
+    """
     t = np.clip((x - low) / (high - low), 0.0, 1.0)
     return t * t * (3 - 2 * t)

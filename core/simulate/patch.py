@@ -66,7 +66,23 @@ def sample_field(field, row_px, col_px, outside=None):
 
 
 def read_patch(terrain, frame, eye_turns_deg, heading_deg, range_m):
-    """Read the bounding window of the view's wedge."""
+    """Read the bounding window of a view's wedge.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+        Around the eye.
+    eye_turns_deg : (float, float)
+        Azimuths of the wedge's edges relative to the heading [degrees].
+    heading_deg : float
+    range_m : float
+        Radius of the wedge [m].
+
+    Returns
+    -------
+    TerrainPatch
+    """
     azimuth = np.radians(heading_deg + np.linspace(eye_turns_deg[0] - 1, eye_turns_deg[1] + 1, 181))
     east = np.append(range_m * np.sin(azimuth), 0.0)
     north = np.append(range_m * np.cos(azimuth), 0.0)

@@ -204,7 +204,15 @@ def sun_vector(scene):
 
 
 def cosine(slope_east, slope_north, direction):
-    """Cosine between the surface normal of a slope and a direction ((3,) or (N, 3))."""
+    """Cosine of the angle between the normal of a slope and a direction.
+
+    Parameters
+    ----------
+    slope_east, slope_north : array
+        Rise per metre towards east and north.
+    direction : (3,) or (N, 3) array
+        Unit vectors (east, north, up).
+    """
     direction = np.asarray(direction)
     along = direction[..., 2] - slope_east * direction[..., 0] - slope_north * direction[..., 1]
     return along / np.sqrt(1 + slope_east**2 + slope_north**2)

@@ -70,7 +70,19 @@ def sky_radiance(turn_deg, tangent, scene, heading_deg):
 
 
 def air_light(turn_deg, scene, heading_deg):
-    """Radiance of an infinitely thick layer of hazy air along the horizontal (..., 3)."""
+    """Radiance of an infinitely thick layer of hazy air along the horizontal.
+
+    Parameters
+    ----------
+    turn_deg : array
+        Azimuths relative to the heading [degrees].
+    scene : Scene
+    heading_deg : float
+
+    Returns
+    -------
+    (..., 3) array
+    """
     level = sky_radiance(turn_deg, np.zeros_like(turn_deg), scene, heading_deg)
     return level * np.array([0.86, 0.93, 1.0], np.float32)
 
@@ -120,7 +132,21 @@ def cloud_colour(scene):
 
 
 def clouds_behind(turn_deg, tangent, scene):
-    """Opacity and radiance of clouds in the sky behind everything: wisps high up, heaps low down."""
+    """Clouds in the sky behind everything: wisps high up, heaps low down.
+
+    Parameters
+    ----------
+    turn_deg : array
+        Azimuths relative to the heading [degrees].
+    tangent : array
+        Of the elevation angles.
+    scene : Scene
+
+    Returns
+    -------
+    opacity : float32 array
+    radiance : (..., 3) float32 array
+    """
     elevation = np.degrees(np.arctan(tangent))
     tile = noise_tile(7300 + scene.seed, 1.5)
     # Clouds lie flat: seen low, they crowd and stretch sideways.

@@ -250,7 +250,16 @@ def _cell_tables(frame, plane, k_max, reach):
 
 
 def beside(values, index, share):
-    """Interpolate (lines, rays) values between neighbouring rays, `index` counting through the flat array."""
+    """Interpolate values between neighbouring rays.
+
+    Parameters
+    ----------
+    values : (lines, rays) array
+    index : integer array
+        The first of both neighbours, counted through the flat array.
+    share : array
+        Weight of the second neighbour, 0 to 1.
+    """
     flat = values.reshape(-1)
     low = flat.take(index)
     high = flat.take(index + 1)
@@ -261,7 +270,24 @@ def beside(values, index, share):
 
 
 def held_places(whole, first, last):
-    """Indices `first + whole`, held in 0 to `last`, and whether any had to be; they grow along each line."""
+    """Turn whole numbers into indices that stay within an array.
+
+    Parameters
+    ----------
+    whole : (lines, N) float array
+        Whole numbers that grow along each line.
+    first : int
+        Added to each.
+    last : int
+        Largest index.
+
+    Returns
+    -------
+    index : (lines, N) integer array
+        `first + whole`, held in 0 to `last`.
+    held : bool
+        Whether any had to be held.
+    """
     ends = whole[:, [0, -1]]
     if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them grow backwards by one
         index = whole.astype(np.int32).astype(np.intp)  # half the time that it takes at once

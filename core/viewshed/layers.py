@@ -37,7 +37,7 @@ class ClearanceSink(ArraySink):
         super().__init__(window, np.float32)
 
     def set(self, row, col, value):
-        """Leave the observer's own cell, which has no line of sight, as it is."""
+        """See `Sink.set`. The observer's own cell, which has no line of sight, stays as it is."""
 
 
 def clearance(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
