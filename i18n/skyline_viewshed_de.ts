@@ -3463,8 +3463,8 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
-        <translation>Es fehlen die Spalten x und y (Pixel). Geben Sie diesen Spalten die Namen x und y und der Spalte mit dem Namen des Fotos den Namen photo.</translation>
+        <source>it has no columns x and y (pixels). Name its columns photo, x and y.</source>
+        <translation>Es fehlen die Spalten x und y (Pixel). Nennen Sie die Spalten photo, x und y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>Das Bild wurde nach der Aufnahme beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>

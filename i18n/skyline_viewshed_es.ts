@@ -3463,8 +3463,8 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
-        <translation>no tiene columnas x e y (píxeles). Ponga a esas columnas los nombres x e y, y a la columna con el nombre de la foto, el nombre photo.</translation>
+        <source>it has no columns x and y (pixels). Name its columns photo, x and y.</source>
+        <translation>no tiene columnas x e y (píxeles). Llame a las columnas photo, x e y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>La imagen se recortó después de tomarla: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>

@@ -3463,8 +3463,8 @@
     </message>
     <message>
         <location filename="../core/io/features.py"/>
-        <source>it has no columns x and y (pixels). Give the columns the names x and y, and the column with the name of the photo the name photo.</source>
-        <translation>il n'a pas de colonnes x et y (pixels). Nommez ces colonnes x et y, et photo la colonne qui contient le nom de la photo.</translation>
+        <source>it has no columns x and y (pixels). Name its columns photo, x and y.</source>
+        <translation>il n'a pas de colonnes x et y (pixels). Nommez les colonnes photo, x et y.</translation>
     </message>
     <message>
         <location filename="../core/io/features.py"/>
@@ -3558,8 +3558,8 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>L'image a été recadrée après la prise de vue : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>

@@ -127,7 +127,7 @@ def test_a_message_and_the_message_inside_are_translated(monkeypatch):
     from skyline_viewshed.core.base.messages import Message
 
     reason = Message(
-        "its {width} x {height} pixels are more than {limit} megapixels. Reduce the picture first.",
+        "its {width} x {height} pixels are more than {limit} megapixels. Reduce its size first.",
         width=9,
         height=8,
         limit=7,

@@ -90,15 +90,7 @@ def _from_json(path, text):
         if isinstance(data, dict) and fits(data):
             try:
                 return read(data)
-            except (
-                KeyError,
-                IndexError,
-                TypeError,
-                ValueError,
-                AttributeError,
-                OverflowError,
-                RecursionError,
-            ) as error:
+            except INCOMPLETE as error:
                 raise UnreadableFeaturesError(path, _incomplete(error)) from None
     raise UnreadableFeaturesError(
         path,
@@ -221,11 +213,7 @@ def _from_csv(path, text):
     x, y = (next((names[n] for n in wanted if n in names), None) for wanted in (_X, _Y))
     if x is None or y is None:
         raise UnreadableFeaturesError(
-            path,
-            Message(
-                "it has no columns x and y (pixels). Give the columns the names x and y, and the column with the "
-                "name of the photo the name photo."
-            ),
+            path, Message("it has no columns x and y (pixels). Name its columns photo, x and y.")
         )
     photo, label, group, kind = (
         next((names[n] for n in wanted if n in names), None) for wanted in (_PHOTO, _LABEL, _GROUP, _KIND)

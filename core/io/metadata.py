@@ -142,7 +142,7 @@ def _focal_length_35mm(tags, width_px, height_px, notes):
     if enlarged > 1:
         notes.append(
             Message(
-                "The picture was cropped after it was taken: a 35 mm equivalent of {used} mm was used instead of "
+                "The picture is cropped: a 35 mm equivalent of {used} mm was used instead of "
                 "{recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.",
                 used=f"{length * enlarged:.0f}",
                 recorded=f"{length:.0f}",

@@ -57,7 +57,7 @@ def test_a_run_speaks_the_language(speaking, run, scene, tmp_path, language):
     parameters = {"FOLDER": str(scene.folder), "DEM": str(scene.dem), "MAX_DISTANCE": 5000, **outputs}
     _, feedback = run("photoviewshed", {**parameters, "REPORT": str(tmp_path / "report.html")})
     said = words_of(tmp_path / "report.html")
-    for word in ("Heading", "Parameters, DEM and software", "Where it looks, and the ground it shows", "Run", "Lens"):
+    for word in ("Heading", "Parameters, DEM and software", "Camera heading and visible ground", "Run", "Lens"):
         assert catalogue[word].replace("'", "&#x27;") in said, word
     assert f'<html lang="{language}">' in (tmp_path / "report.html").read_text(encoding="utf-8")
     leftovers = set(said.translate(str.maketrans("", "", string.punctuation)).split()) & set(ENGLISH)
@@ -97,17 +97,19 @@ def test_what_the_core_says_is_in_the_language_even_if_an_english_run_has_kept_i
         layer.dataProvider().addFeatures([feature])
     given = {"INPUT": layer, "DEM": str(scene.dem), "OUTPUT": "memory:", "ORIENTATIONS": str(tmp_path / "kept")}
     results, _ = run("orientphotos", given)
-    assert "and no other heading comes near" in next(results["OUTPUT"].getFeatures())["message"]
+    assert "no other heading scores close" in next(results["OUTPUT"].getFeatures())["message"]
     catalogue = speaking("de")
     results, feedback = run("orientphotos", {**given, "REPORT": str(tmp_path / "report.html")})
     taken = filled(catalogue["{name}: taken from {path}"], name="null_island.jpg", path=".*")
     assert any(re.fullmatch(taken, info) for info in feedback.infos)
     answered, failed = (feature["message"] for feature in results["OUTPUT"].getFeatures())
-    verdict = catalogue["The horizon fits along {share} % of the columns, and no other heading comes near."]
+    verdict = catalogue[
+        "The DEM horizon matches the skyline in {share} % of the columns; no other heading scores close."
+    ]
     note = catalogue["The recorded coordinates are 0, 0 (no GPS fix) and were ignored."]
     edge = catalogue[
-        "In {share} % of the frame the DEM ends or has voids before higher terrain can be excluded; a larger DEM would "
-        "make the heading surer."
+        "In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM "
+        "to make the heading more certain."
     ]
     assert re.fullmatch(f"{filled(verdict)} {re.escape(note)} {filled(edge)}", answered)
     reason = catalogue["it is damaged or incomplete. Copy it again from its source."]
@@ -125,7 +127,7 @@ def test_a_refused_dem_is_refused_in_the_language(speaking, refusal, scene, tmp_
     rotated.SetGeoTransform((0, 20, 5, 0, 5, -20))
     del rotated
     catalogue = speaking("de")
-    sentence = catalogue["The DEM {path} is rotated against its CRS. Warp it upright first (gdalwarp)."]
+    sentence = catalogue["The DEM {path} is rotated relative to its CRS. Warp it to a north-up grid first (gdalwarp)."]
     outputs = {"OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": str(tmp_path / "v.tif")}
     said = refusal("photoviewshed", {"FOLDER": str(scene.folder), "DEM": path, **outputs})
     assert said == sentence.format(path=path)

@@ -167,7 +167,7 @@ def test_an_elevation_that_is_given_comes_before_a_trusted_altitude(dem, north, 
 def test_an_altitude_above_the_ellipsoid_is_not_taken_for_one_above_the_sea(dem, north, aloft):
     found = orient_request(PhotoRequest(aloft("ellipsoid"), use_altitude=True), dem)
     assert found.eye_elevation_m == pytest.approx(north.eye_elevation_m)
-    assert "counts from the ellipsoid" in " ".join(found.orientation.notes)
+    assert "refers to the ellipsoid" in " ".join(found.orientation.notes)
 
 
 def test_an_approximate_heading_and_a_landmark_are_used(scene, dem, north):

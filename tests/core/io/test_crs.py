@@ -61,7 +61,7 @@ def test_only_cylindrical_planes_repeat_the_world(crs, period):
 
 
 def test_nonsense_is_refused_in_a_sentence():
-    with pytest.raises(TerrainError, match="not understood"):
+    with pytest.raises(TerrainError, match="not recognised"):
         spatial_reference("EPSG:999999")
 
 

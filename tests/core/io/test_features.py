@@ -126,9 +126,9 @@ def test_a_plain_table_of_two_columns_gives_points_for_any_photo(saved):
 @pytest.mark.parametrize(
     ("content", "name", "words"),
     [
-        ("{", "a.json", "no valid JSON"),
-        ('{"a": 1}', "a.json", "none of LabelMe"),
-        ("[1, 2]", "a.json", "none of LabelMe"),
+        ("{", "a.json", "not valid JSON"),
+        ('{"a": 1}', "a.json", "not in the format of LabelMe"),
+        ("[1, 2]", "a.json", "not in the format of LabelMe"),
         ('{"shapes": [{"label": "x"}]}', "a.json", "incomplete"),
         ('{"shapes": [{"points": [[1, null]]}]}', "a.json", "incomplete"),
         ('{"type": "FeatureCollection", "features": [{"geometry": {"type": "Sphere"}}]}', "a.json", "incomplete"),
@@ -197,7 +197,7 @@ def test_only_a_picture_hung_below_zero_is_turned_over():
             + '{"type":"GeometryCollection","geometries":[' * 3000
             + "]}" * 3000
             + "}",
-            "is incomplete|no valid JSON",
+            "is incomplete|not valid JSON",
         ),
     ],
 )

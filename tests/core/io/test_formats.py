@@ -38,9 +38,9 @@ def test_a_compatible_brand_is_enough(tmp_path):
     "content, reason",
     [
         (b"", "empty"),
-        (b"%PDF-1.7", "no JPEG, HEIC"),
-        (b"\0" * 100, "no JPEG, HEIC"),
-        (box(b"ftyp", b"qt  \0\0\0\0qt  "), "no JPEG, HEIC"),
+        (b"%PDF-1.7", "not a JPEG, HEIC"),
+        (b"\0" * 100, "not a JPEG, HEIC"),
+        (box(b"ftyp", b"qt  \0\0\0\0qt  "), "not a JPEG, HEIC"),
         (FTYP + struct.pack(">I", 1000) + b"mdat" + b"half", "ends too early"),
         (FTYP + struct.pack(">I", 1) + b"mdat" + struct.pack(">Q", 10**12), "ends too early"),
         (FTYP + box(b"free", b"") * 20_000, "ends too early"),

@@ -51,8 +51,8 @@ def test_minutes_and_seconds_may_be_missing():
         ((NAN, NAN, NAN), (NAN, NAN, NAN), "not numbers"),
         ((48.0, 53.3, NAN), (21.0, 2.6, NAN), "not numbers"),
         ((46.0, 57.0, float("inf")), (7.0, 26.0, 0.0), "not numbers"),
-        ((91.0, 0.0, 0.0), (7.0, 0.0, 0.0), "outside the globe"),
-        ((46.0, 0.0, 0.0), (180.0, 1.0, 0.0), "outside the globe"),
+        ((91.0, 0.0, 0.0), (7.0, 0.0, 0.0), "outside the range of latitude and longitude"),
+        ((46.0, 0.0, 0.0), (180.0, 1.0, 0.0), "outside the range of latitude and longitude"),
     ],
 )
 def test_impossible_coordinates_are_ignored_and_the_reason_kept(latitude, longitude, why):
@@ -179,7 +179,7 @@ def test_a_crop_narrows_the_field_and_is_said(case):
     }
     found = interpret(tags, width, height)
     assert found["focal_length_35mm"] == pytest.approx(26 * factor, rel=1e-3)
-    assert any("part of what the camera took" in note for note in found["notes"]) == (factor > 1)
+    assert any("The picture is cropped" in note for note in found["notes"]) == (factor > 1)
     # A crop keeps the angle between two pixels: the focal length in pixels is that of the camera's own picture.
     if factor > 1 and width > 2000:
         pixels = focal_from_35mm_px(width, height, found["focal_length_35mm"])

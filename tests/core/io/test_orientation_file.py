@@ -89,7 +89,7 @@ def test_an_answer_of_which_next_to_nothing_is_known_comes_back_too(tmp_path):
 def test_messages_come_back_with_template_and_facts(tmp_path):
     reason = Message("The picture is only {width} x {height} pixels.", width=9, height=8)
     error = SkylineNotFoundError(reason)
-    note = Message("The recorded coordinates lie outside the globe and were ignored.")
+    note = Message("The recorded coordinates lie outside the range of latitude and longitude and were ignored.")
     photo = OrientedPhoto("", Orientation("rejected", error.message, notes=(note,)))
     (tmp_path / "a.npz").write_bytes(packed(photo, MARK))
     answer = unpacked(tmp_path / "a.npz", MARK).orientation

@@ -78,9 +78,9 @@ def test_the_table_names_only_features_that_exist_and_says_where_it_comes_from()
     ("probability", "relief", "status", "words"),
     [
         ((0.97, 0.02), 1.0, "accepted", "no other heading"),
-        ((0.55, 0.40), 1.0, "ambiguous", "250 degrees fits nearly as well"),
+        ((0.55, 0.40), 1.0, "ambiguous", "A heading of 250 degrees fits nearly as well"),
         ((0.50, 0.05), 1.0, "ambiguous", "The fit is weak"),
-        ((0.04, 0.03), 1.0, "rejected", "Check position and field of view"),
+        ((0.04, 0.03), 1.0, "rejected", "Check the position and the field of view"),
         ((0.97, 0.02), 0.05, "rejected", "almost straight"),
     ],
 )

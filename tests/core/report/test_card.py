@@ -31,7 +31,7 @@ def test_the_picture_is_there_once_and_is_seen_twice(painted):
 
 
 @pytest.mark.parametrize(
-    ("status", "words"), [("accepted", None), ("ambiguous", "likeliest of several"), ("rejected", "best guess")]
+    ("status", "words"), [("accepted", None), ("ambiguous", "most likely of several"), ("rejected", "best guess")]
 )
 def test_a_heading_that_is_not_certain_says_so_beside_it(painted, status, words):
     card = photo_card(painted(status), 1, picture_px=0)

@@ -43,9 +43,9 @@ def test_intervals_and_differences_go_across_north(painted):
 
 def test_every_number_has_a_unit(painted):
     groups = dict(fact_groups(painted(), {"Feature id": 7}))
-    assert groups["Further"] == [("Feature id", "7")]
-    assert ("Eye above the DEM", "+1.7\u00a0m") in groups["Place and eye"]
-    assert ("Altitude, EXIF", "2\u202f000.0\u00a0m (sea level)") in groups["Place and eye"]
+    assert groups["Other values"] == [("Feature id", "7")]
+    assert ("Eye above the DEM", "+1.7\u00a0m") in groups["Position and elevation"]
+    assert ("Altitude, EXIF", "2\u202f000.0\u00a0m (sea level)") in groups["Position and elevation"]
     assert ("Recorded", "121.0° (from true north)") in groups["Compass"]
     assert ("Grid north from true north", "+0.70°") in groups["DEM horizon"]
     assert ("35 mm equivalent, EXIF", "24.0\u00a0mm") in groups["Lens"]

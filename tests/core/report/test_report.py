@@ -259,7 +259,7 @@ def test_very_long_runs_keep_numbers_for_all_and_figures_for_the_first(monkeypat
     curve = Orientation("rejected", "no", (), None, None, None, [0.0, 180.0], [1.0, 2.0])
     text = report_html([OrientedPhoto(f"{index}.jpg", curve) for index in range(5)], "t")
     assert Page(text).count("article") == 5
-    assert "2 photographs have numbers but no figures" in text
+    assert "2 photographs are shown without figures" in text
     assert picture_width_px(10) > picture_width_px(400) > picture_width_px(10_000)
 
 
