@@ -22,11 +22,8 @@ def test_what_is_no_dem_is_refused_in_a_sentence(tmp_path, hills):
         "not a raster": (tmp_path / "text.tif", 1),
         "no band 2": (make_tif(tmp_path / "one.tif", hills), 2),
         "no band 0": (make_tif(tmp_path / "zero.tif", hills), 0),
-        "no coordinate reference system": (make_tif(tmp_path / "bare.tif", hills, crs=None), 1),
-        "no geographic or projected coordinate reference system": (
-            make_tif(tmp_path / "local.tif", hills, crs=LOCAL_CRS),
-            1,
-        ),
+        "no geographic or projected": (make_tif(tmp_path / "bare.tif", hills, crs=None), 1),
+        "projected coordinate reference system": (make_tif(tmp_path / "local.tif", hills, crs=LOCAL_CRS), 1),
         "not georeferenced": (make_tif(tmp_path / "nogt.tif", hills, geotransform=None), 1),
         "rotated": (make_tif(tmp_path / "rot.tif", hills, geotransform=(0, 20, 5, 0, 5, -20)), 1),
         "no valid cell": (make_tif(tmp_path / "void.tif", np.full((50, 60), -5.0, np.float32), nodata=-5.0), 1),
