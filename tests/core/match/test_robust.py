@@ -171,7 +171,7 @@ def test_the_range_behind_is_matched_where_the_dem_has_a_crest_on_the_striking_l
     assert found.behind and found.status == "accepted"
     assert miss(found, 200.0) < 0.2
     assert np.nanmedian(np.abs(found.residual_px)) < 4, "the residuals are those to the line that was matched"
-    assert any("near crest" in note for note in found.notes)
+    assert any("nearby crest" in note for note in found.notes)
 
 
 @pytest.mark.parametrize("elsewhere_deg", [-6.0, 1.9])
