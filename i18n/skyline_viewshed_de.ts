@@ -512,6 +512,7 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/base/attributes.py"/>
         <location filename="../core/report/overview.py"/>
         <source>Photo</source>
         <translation>Foto</translation>
@@ -1532,87 +1533,15 @@
     <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Folder</source>
         <translation>Ordner</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>GPS-Höhe (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Aufgezeichnete Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Drehung laut EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Länge (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Breite (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Aufnahmezeit (Ortszeit der Kamera)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Kleinbildäquivalente Brennweite (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Horizontaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Vertikaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Breite des aufrecht stehenden Bildes (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Höhe des aufrecht stehenden Bildes (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Bezug der aufgezeichneten Blickrichtung (T geographisch, M magnetisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Horizontaler GPS-Fehler (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../core/report/facts.py"/>
-        <source>Camera</source>
-        <translation>Kamera</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
@@ -1999,6 +1928,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../core/api.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
         <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
     </message>
@@ -2006,118 +1936,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} Fotos: {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Blickrichtung (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Nickwinkel (°, + nach oben)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Korrelation der Horizontlinien</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Korrelation der zweitbesten Blickrichtung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Zweitbeste Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Drittbeste Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Schärfe der Korrelationsspitze</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Blickrichtung, unteres Ende des 90-%-Intervalls (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Blickrichtung, oberes Ende des 90-%-Intervalls (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Status</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Message</source>
-        <translation>Meldung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Aufgezeichnete minus gefundene Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Meridiankonvergenz des DGM (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Höhe der Kamera (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Kamera über dem DGM (m), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Suchweite (m), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Linker Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2764,6 +2582,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Horizontaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Sichtbares Gelände (m²)</translation>
     </message>
@@ -3149,6 +2979,178 @@
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
     </message>
     <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>GPS-Höhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Aufgezeichnete Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Drehung laut EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Longitude (°)</source>
+        <translation>Länge (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Latitude (°)</source>
+        <translation>Breite (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Aufnahmezeit (Ortszeit der Kamera)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Kleinbildäquivalente Brennweite (mm)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Vertikaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Breite des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Höhe des aufrecht stehenden Bildes (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Bezug der aufgezeichneten Blickrichtung (T geographisch, M magnetisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Horizontaler GPS-Fehler (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Nickwinkel (°, + nach oben)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Korrelation der Horizontlinien</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Korrelation der zweitbesten Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Zweitbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Drittbeste Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Schärfe der Korrelationsspitze</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Blickrichtung, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Aufgezeichnete minus gefundene Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Meridiankonvergenz des DGM (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Höhe der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Kamera über dem DGM (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Suchweite (m), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Linker Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>Das Foto {path} kann nicht gelesen werden: {reason}</translation>
@@ -3185,6 +3187,11 @@
     </message>
     <message>
         <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Führen Sie aus: {command} (oder installieren Sie das Paket Ihrer Distribution)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
         <source>In the OSGeo4W Shell run: {command}</source>
         <translation>Führen Sie in der OSGeo4W-Shell aus: {command}</translation>
     </message>
@@ -3192,11 +3199,6 @@
         <location filename="../core/base/optional.py"/>
         <source>Run: {command}</source>
         <translation>Führen Sie aus: {command}</translation>
-    </message>
-    <message>
-        <location filename="../core/base/optional.py"/>
-        <source>Run: {command} (or install your distribution's package)</source>
-        <translation>Führen Sie aus: {command} (oder installieren Sie das Paket Ihrer Distribution)</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3593,13 +3595,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
         <translation>Das DGM {path} hat {count} Kanäle, aber keinen Kanal {band}. Wählen Sie einen anderen Kanal.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
-        <translation>Kanal {band} von {path} enthält komplexe Zahlen, keine Höhen. Wählen Sie ein Höhenraster.</translation>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>Kanal {band} von {path} enthält komplexe Zahlen. Wählen Sie ein Höhenraster.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>

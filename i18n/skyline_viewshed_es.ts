@@ -512,6 +512,7 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/base/attributes.py"/>
         <location filename="../core/report/overview.py"/>
         <source>Photo</source>
         <translation>Foto</translation>
@@ -1532,87 +1533,15 @@
     <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Name</source>
         <translation>Nombre</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Folder</source>
         <translation>Carpeta</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>Altitud GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Rumbo registrado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Rotación según EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Longitud (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Latitud (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Momento de la toma (hora local de la cámara)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Distancia focal equivalente en 35 mm (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Ángulo de visión horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Ángulo de visión vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Anchura de la imagen enderezada (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Altura de la imagen enderezada (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Referencia del rumbo registrado (T norte geográfico, M norte magnético)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Error horizontal del GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../core/report/facts.py"/>
-        <source>Camera</source>
-        <translation>Cámara</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
@@ -1999,6 +1928,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../core/api.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
         <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
     </message>
@@ -2006,118 +1936,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} fotos: {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Rumbo (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Cabeceo (°, + hacia arriba)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Alabeo (°, + lado derecho más bajo)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Correlación de las líneas del horizonte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Correlación del segundo mejor rumbo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Segundo mejor rumbo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Tercer mejor rumbo (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Nitidez del pico de correlación</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Rumbo, extremo inferior del intervalo del 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Rumbo, extremo superior del intervalo del 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Estado</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Message</source>
-        <translation>Mensaje</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Rumbo registrado (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Rumbo registrado menos rumbo hallado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Convergencia de meridianos del MDE (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Distancia del horizonte en el rumbo (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitud de la cámara (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Cámara sobre el MDE (m), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Alcance de búsqueda (m), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Borde izquierdo de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2764,6 +2582,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Rumbo (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Ángulo de visión horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Terreno visible (m²)</translation>
     </message>
@@ -3149,6 +2979,178 @@
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
     </message>
     <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitud GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Rumbo registrado (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotación según EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitud (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Momento de la toma (hora local de la cámara)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Distancia focal equivalente en 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Ángulo de visión vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Anchura de la imagen enderezada (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Altura de la imagen enderezada (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Referencia del rumbo registrado (T norte geográfico, M norte magnético)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Error horizontal del GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Cabeceo (°, + hacia arriba)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Alabeo (°, + lado derecho más bajo)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Correlación de las líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Correlación del segundo mejor rumbo</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Segundo mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Tercer mejor rumbo (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Nitidez del pico de correlación</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Rumbo, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Rumbo registrado (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Rumbo registrado menos rumbo hallado (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergencia de meridianos del MDE (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distancia del horizonte en el rumbo (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Cámara sobre el MDE (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Alcance de búsqueda (m), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde izquierdo de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>No se puede leer la foto {path}: {reason}</translation>
@@ -3185,6 +3187,11 @@
     </message>
     <message>
         <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Ejecute: {command} (o instale el paquete de su distribución)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
         <source>In the OSGeo4W Shell run: {command}</source>
         <translation>Ejecute en la OSGeo4W Shell: {command}</translation>
     </message>
@@ -3192,11 +3199,6 @@
         <location filename="../core/base/optional.py"/>
         <source>Run: {command}</source>
         <translation>Ejecute: {command}</translation>
-    </message>
-    <message>
-        <location filename="../core/base/optional.py"/>
-        <source>Run: {command} (or install your distribution's package)</source>
-        <translation>Ejecute: {command} (o instale el paquete de su distribución)</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3593,13 +3595,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
         <translation>El MDE {path} tiene {count} banda(s), pero ninguna banda {band}. Elija otra banda.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
-        <translation>La banda {band} de {path} contiene números complejos, no altitudes. Elija un ráster de altitudes.</translation>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>La banda {band} de {path} contiene números complejos. Elija un ráster de altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>

@@ -512,6 +512,7 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/base/attributes.py"/>
         <location filename="../core/report/overview.py"/>
         <source>Photo</source>
         <translation>Photo</translation>
@@ -1532,87 +1533,15 @@
     <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Name</source>
         <translation>Nom</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
+        <location filename="../core/base/attributes.py"/>
         <source>Folder</source>
         <translation>Dossier</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS altitude (m)</source>
-        <translation>Altitude GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading (°)</source>
-        <translation>Azimut enregistré (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Rotation by EXIF (°)</source>
-        <translation>Rotation selon EXIF (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Longitude (°)</source>
-        <translation>Longitude (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Latitude (°)</source>
-        <translation>Latitude (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Taken at (camera's local time)</source>
-        <translation>Prise de vue (heure locale de l'appareil)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>35 mm equivalent focal length (mm)</source>
-        <translation>Focale équivalente 35 mm (mm)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Angle de champ horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Angle de champ vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Width of the upright picture (px)</source>
-        <translation>Largeur de l'image redressée (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Height of the upright picture (px)</source>
-        <translation>Hauteur de l'image redressée (px)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>Recorded heading counts from (T true, M magnetic north)</source>
-        <translation>Référence de l'azimut enregistré (T nord géographique, M nord magnétique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <source>GPS horizontal error (m)</source>
-        <translation>Erreur horizontale du GPS (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/fields.py"/>
-        <location filename="../core/report/facts.py"/>
-        <source>Camera</source>
-        <translation>Appareil photo</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/fields.py"/>
@@ -1999,6 +1928,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../core/api.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
         <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
     </message>
@@ -2006,118 +1936,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} photos : {parts}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Azimut de visée (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Tangage (°, + vers le haut)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Roulis (°, + côté droit plus bas)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of skylines</source>
-        <translation>Corrélation des lignes d'horizon</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Correlation of the second-best heading</source>
-        <translation>Corrélation du deuxième meilleur azimut</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Second-best heading (°)</source>
-        <translation>Deuxième meilleur azimut (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Third-best heading (°)</source>
-        <translation>Troisième meilleur azimut (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Sharpness of the correlation peak</source>
-        <translation>Netteté du pic de corrélation</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, lower end of the 90 % interval (°)</source>
-        <translation>Azimut de visée, borne inférieure de l'intervalle à 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Heading, upper end of the 90 % interval (°)</source>
-        <translation>Azimut de visée, borne supérieure de l'intervalle à 90 % (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Statut</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Message</source>
-        <translation>Message</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded heading (° from true north)</source>
-        <translation>Azimut enregistré (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Recorded minus found heading (°)</source>
-        <translation>Azimut enregistré moins azimut trouvé (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Grid convergence of the DEM (°)</source>
-        <translation>Convergence des méridiens du MNT (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Distance of the horizon at the heading (m)</source>
-        <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitude de l'appareil (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Camera above the DEM (m), for Visibility Analysis</source>
-        <translation>Appareil au-dessus du MNT (m), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Search range (m), for Visibility Analysis</source>
-        <translation>Portée de recherche (m), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Bord gauche de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/oriented.py"/>
-        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
-        <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2764,6 +2582,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Azimut de visée (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Angle de champ horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Terrain visible (m²)</translation>
     </message>
@@ -3149,6 +2979,178 @@
         <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
     </message>
     <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS altitude (m)</source>
+        <translation>Altitude GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (°)</source>
+        <translation>Azimut enregistré (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Rotation by EXIF (°)</source>
+        <translation>Rotation selon EXIF (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Longitude (°)</source>
+        <translation>Longitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Latitude (°)</source>
+        <translation>Latitude (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Taken at (camera's local time)</source>
+        <translation>Prise de vue (heure locale de l'appareil)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>35 mm equivalent focal length (mm)</source>
+        <translation>Focale équivalente 35 mm (mm)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Angle de champ vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Width of the upright picture (px)</source>
+        <translation>Largeur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Height of the upright picture (px)</source>
+        <translation>Hauteur de l'image redressée (px)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading counts from (T true, M magnetic north)</source>
+        <translation>Référence de l'azimut enregistré (T nord géographique, M nord magnétique)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>GPS horizontal error (m)</source>
+        <translation>Erreur horizontale du GPS (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Camera</source>
+        <translation>Appareil photo</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Tangage (°, + vers le haut)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Roulis (°, + côté droit plus bas)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of skylines</source>
+        <translation>Corrélation des lignes d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Correlation of the second-best heading</source>
+        <translation>Corrélation du deuxième meilleur azimut</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Second-best heading (°)</source>
+        <translation>Deuxième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Third-best heading (°)</source>
+        <translation>Troisième meilleur azimut (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Sharpness of the correlation peak</source>
+        <translation>Netteté du pic de corrélation</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, lower end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading, upper end of the 90 % interval (°)</source>
+        <translation>Azimut de visée, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Statut</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded heading (° from true north)</source>
+        <translation>Azimut enregistré (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Recorded minus found heading (°)</source>
+        <translation>Azimut enregistré moins azimut trouvé (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Grid convergence of the DEM (°)</source>
+        <translation>Convergence des méridiens du MNT (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Distance of the horizon at the heading (m)</source>
+        <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Camera above the DEM (m), for Visibility Analysis</source>
+        <translation>Appareil au-dessus du MNT (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Search range (m), for Visibility Analysis</source>
+        <translation>Portée de recherche (m), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Left edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord gauche de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Right edge of view (° from grid north), for Visibility Analysis</source>
+        <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>La photo {path} ne peut pas être lue : {reason}</translation>
@@ -3185,6 +3187,11 @@
     </message>
     <message>
         <location filename="../core/base/optional.py"/>
+        <source>Run: {command} (or install your distribution's package)</source>
+        <translation>Exécutez : {command} (ou installez le paquet de votre distribution)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/optional.py"/>
         <source>In the OSGeo4W Shell run: {command}</source>
         <translation>Exécutez dans l'OSGeo4W Shell : {command}</translation>
     </message>
@@ -3192,11 +3199,6 @@
         <location filename="../core/base/optional.py"/>
         <source>Run: {command}</source>
         <translation>Exécutez : {command}</translation>
-    </message>
-    <message>
-        <location filename="../core/base/optional.py"/>
-        <source>Run: {command} (or install your distribution's package)</source>
-        <translation>Exécutez : {command} (ou installez le paquet de votre distribution)</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3593,13 +3595,13 @@
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another band.</source>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
         <translation>Le MNT {path} a {count} bande(s), mais pas de bande {band}. Choisissez une autre bande.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.</source>
-        <translation>La bande {band} de {path} contient des nombres complexes, pas des altitudes. Choisissez un raster d'altitudes.</translation>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>La bande {band} de {path} contient des nombres complexes. Choisissez un raster d'altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>

@@ -71,21 +71,13 @@ def open_dem(path, band=1, crs=None):
 def _dem(path, dataset, band, crs):
     if not 1 <= band <= dataset.RasterCount:
         count = dataset.RasterCount
-        raise UnusableDemError(
-            Message(
-                "The DEM {path} has {count} band(s), but no band {band}. Choose another band.",
-                path=path,
-                count=count,
-                band=band,
-            )
+        reason = Message(
+            "The DEM {path} has {count} band(s), but no band {band}. Choose another.", path=path, count=count, band=band
         )
+        raise UnusableDemError(reason)
     if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
         raise UnusableDemError(
-            Message(
-                "Band {band} of {path} contains complex numbers, not elevations. Choose an elevation raster.",
-                band=band,
-                path=path,
-            )
+            Message("Band {band} of {path} contains complex numbers. Choose an elevation raster.", band=band, path=path)
         )
     dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
     dem._inspect()
