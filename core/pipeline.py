@@ -1,4 +1,4 @@
-"""The stages in order, for one photograph: skyline, horizon, match. Arrays in, results out, no files."""
+"""Run the stages for one photograph in order (skyline, horizon, match), on arrays and without files."""
 
 from __future__ import annotations
 
@@ -32,12 +32,13 @@ class OrientOptions:
     Attributes
     ----------
     method : str
-        'robust', or 'paper' for the published method with its own field of view, range and straight rays.
+        'robust', or 'paper' for the published method, which has its own field of view, range and straight rays.
     compass : str
-        'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
-    horizon, inner, skyline, robust : options of the robust method's stages
+        'ignore' never uses the recorded heading; 'prior' uses it as a soft prior.
+    horizon, inner, skyline, robust : HorizonOptions, InnerOptions, SkylineOptions, RobustOptions
+        Options of the stages of the robust method.
     paper : PaperOptions
-        Of the published method.
+        Options of the published method.
     """
 
     method: str = "robust"
@@ -54,7 +55,7 @@ class OrientOptions:
 
     @property
     def horizon_of_method(self):
-        """Horizon options of the chosen method; they tell `cast_horizon` which engine is meant."""
+        """Horizon options of the chosen method; their type selects the engine in `cast_horizon`."""
         if self.method == "robust":
             return self.horizon
         rays = self.paper.horizon
@@ -63,7 +64,7 @@ class OrientOptions:
 
 @dataclass(frozen=True)
 class Hints:
-    """What a person adds where the picture alone does not decide; all optional.
+    """Optional information from a person, for photographs that the picture alone does not decide.
 
     Attributes
     ----------
@@ -72,7 +73,7 @@ class Hints:
     landmarks : tuple of Landmark
         Pixels of the full picture with the direction of their map points.
     evidence : SkylineEvidence or None
-        From a drawn skyline or a sky mask; replaces the extraction.
+        Evidence from a drawn skyline or a sky mask; it replaces the extraction.
     """
 
     heading: HeadingPrior | None = None
@@ -82,7 +83,7 @@ class Hints:
 
 @dataclass(frozen=True, eq=False)
 class Setting:
-    """What is known of one photograph beside its picture.
+    """Everything known about one photograph except its picture.
 
     Attributes
     ----------
@@ -91,9 +92,9 @@ class Setting:
         See `camera_prior`.
     hints : Hints
     horizon : HorizonProfile or None
-        Of this observer, where a photo of the same station has it already.
+        Horizon of this observer, if it was already computed for a photo from the same station.
     inner : InnerTerrain or None
-        The same of the terrain below it.
+        Terrain below that horizon, likewise.
     position_error_m : float
         Standard deviation of the position [m].
     """
@@ -107,14 +108,14 @@ class Setting:
 
 
 def cast_horizon(terrain, observer, options, progress=SILENT):
-    """Cast the horizon of either method.
+    """Compute the horizon by either method.
 
     Parameters
     ----------
     terrain : Terrain
     observer : Observer
     options : HorizonOptions or PaperHorizonOptions
-        Tell which method is meant.
+        Their type selects the method.
     progress : Progress
 
     Returns
@@ -127,18 +128,19 @@ def cast_horizon(terrain, observer, options, progress=SILENT):
 
 
 def camera_prior(metadata, hfov_deg=None):
-    """What is known of the lens before the fit.
+    """Camera and uncertainty of its focal length before the fit.
 
     Parameters
     ----------
     metadata : PhotoMetadata
     hfov_deg : float or None
-        Horizontal field of view of the upright picture, where it is given [degrees]; else the 35 mm equivalent by
-        the diagonal rule, with the spread that the metadata tell.
+        Horizontal field of view of the upright picture [degrees]. If None, the 35 mm equivalent is converted by the
+        diagonal rule, with the spread given in the metadata.
 
     Raises
     ------
     MissingMetadataError
+        The field of view is not given, and the photo records no focal length.
     """
     width, height = metadata.width_px, metadata.height_px
     if hfov_deg is not None:
@@ -155,15 +157,15 @@ def camera_prior(metadata, hfov_deg=None):
 
 
 def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Find where one photograph looks.
+    """Find the heading, pitch and roll of the camera for one photograph.
 
     Parameters
     ----------
     photo : Photo
-        Pixels full or reduced; the paper's method wants them full.
+        Pixels at full or reduced size; the published method needs full size.
     terrain : Terrain
     setting : Setting
-        What is known beside the picture.
+        Everything known about the photograph except its picture.
     options : OrientOptions
     progress : Progress
 
@@ -174,7 +176,7 @@ def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILE
     Raises
     ------
     PhotoError
-        No horizon at this position.
+        There is no horizon at this position.
     """
     observer, horizon = setting.observer, setting.horizon
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
@@ -211,13 +213,14 @@ def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILE
 
 
 def _robustly(photo, setting, options, progress):
-    """Orientation, and the evidence that it matched."""
+    """Orient by the robust method; return the orientation and the evidence that it matched."""
     metadata, hints, robust = photo.metadata, setting.hints, options.robust
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
     else:
-        # A given skyline places the answer better than the small picture of the ground below it, which tells which.
+        # A given skyline places the answer more exactly than the thumbnail of the ground, which only helps to choose
+        # between answers.
         evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
         robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
     inputs = MatchInputs(

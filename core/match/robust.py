@@ -1,6 +1,6 @@
-"""The robust heading search: evidence, coarse search, refinement of many candidates, posterior.
+"""Find the heading robustly: build the evidence, search coarsely, refine many candidates, compute the posterior.
 
-Stages and measurements are described in docs/accuracy.md.
+docs/accuracy.md describes the stages and the measurements.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .search import SearchOptions, coarse_search
 from .turn import TurnOptions, turn
 
 LEAST_COLUMNS_SHARE = 0.05
-"""Fewer columns with evidence than this share are not worth a search."""
+"""Smallest share of columns with evidence for which a search is made."""
 
 BEHIND_NOTE = Message(
     "According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line "
@@ -43,16 +43,18 @@ class RobustOptions:
 
     Attributes
     ----------
-    likelihood, search, refine, ridges, ground, turn, posterior : options of the stages
+    likelihood, search, refine, ridges, ground, turn, posterior
+        Options of the stages.
     short_scales : tuple of float
-        Tolerances of the short fits, in multiples of the expected one: wide enough to arrive, then finer and finer,
-        since at a wide tolerance a wrong answer scores like a right one, and near terrain like none at all.
+        Tolerances of the short fits, as multiples of the expected tolerance. The first is wide enough to converge and
+        each one after it is finer: at a wide tolerance a wrong answer scores like a right one, and near terrain scores
+        as if there were none.
     full_fits : int
-        Candidates that get the full fit.
+        Number of candidates that get the full fit.
     same_answer_deg : float
-        Headings closer than this are one answer.
+        Headings closer than this count as one answer [degrees].
     heading_floor_deg : float
-        Smallest standard deviation that a heading is credited with.
+        Lower limit of the standard deviation of a heading [degrees].
     """
 
     likelihood: LikelihoodOptions = field(default_factory=LikelihoodOptions)
@@ -69,20 +71,20 @@ class RobustOptions:
 
 
 def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Find where a photograph looks, and say how sure that is.
+    """Find the pose of a photograph and the certainty of its heading.
 
     Parameters
     ----------
     inputs : MatchInputs
-        What is known of the photograph.
+        Everything known about the photograph.
     options : RobustOptions
     progress : Progress
 
     Returns
     -------
-    model.Orientation
-        Candidates are distinct answers, best first; headings clockwise from true north, pitch + upwards, roll +
-        with the right side down.
+    Orientation
+        Candidates are distinct answers, best first. Headings are clockwise from true north, pitch is positive upwards,
+        roll is positive with the right side down.
     """
     landmarks, full = inputs.landmarks, inputs.camera_prior.camera
     refusal = _refusal(inputs.evidence, inputs.horizon, landmarks)
@@ -92,7 +94,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     evidence = inputs.evidence.rival if behind else inputs.evidence
     answers, probability, status = found.answers, found.probability, found.status
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
-    # Of an accepted answer the interval tells how exact it is; how sure it is, p_correct tells.
+    # For an accepted answer the interval gives only its precision; p_correct gives its certainty.
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     candidates = tuple(
         Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
@@ -122,7 +124,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """Answers to one evidence, the probability of each, and the best one's status and message."""
+    """Answers from one evidence, the probability of each, and the status and message of the best one."""
 
     answers: Answers
     probability: np.ndarray
@@ -131,7 +133,7 @@ class Judged:
 
 
 def _look(inputs, options, progress):
-    """Judged answers, and whether they are those to the evidence's rival."""
+    """Find the judged answers, and whether they come from the evidence's rival line."""
     if inputs.evidence.rival is None or inputs.inner is None:
         return _judged(inputs, options, progress), False
     found = _judged(inputs, options, subtask(progress, 0.0, 0.6))
@@ -151,7 +153,7 @@ def _judged(inputs, options, progress):
 
 
 def _edge_notes(answers):
-    """Remark on a frame whose horizon is only a lower bound."""
+    """Note for a frame in which much of the horizon is only a lower bound."""
     objective = answers.objective
     _, azimuth, _ = horizon_rows(objective.curve, objective.camera, answers.trials[:1], objective.columns(4))
     share = float(objective.curve.clipped[objective.curve.nearest(azimuth)].mean())
@@ -166,7 +168,7 @@ def _edge_notes(answers):
 
 
 def _refusal(evidence, horizon, landmarks):
-    """Why there is nothing to match, or None."""
+    """Message with the reason why no match is possible, or None."""
     width = evidence.probability.shape[1]
     telling = len(EvidenceStack.informative_columns(evidence.probability))
     if telling < LEAST_COLUMNS_SHARE * width and not landmarks:
@@ -180,12 +182,12 @@ def _refusal(evidence, horizon, landmarks):
 
 
 def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Search and fit without judging: what `match_robust` and the calibration share.
+    """Search and fit without judging; `match_robust` and the calibration share this part.
 
     Parameters
     ----------
     inputs : MatchInputs
-        What is known of the photograph.
+        Everything known about the photograph.
     options : RobustOptions
     progress : Progress
 
@@ -210,29 +212,29 @@ def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
 
 
 def _skyline_relief_deg(stack, camera):
-    """Spread of the likeliest rows about a straight line [degrees]: what the search has to tell headings apart."""
+    """Spread of the likeliest rows about a straight line [degrees]: the relief by which headings can be separated."""
     columns = stack.informative
     spread_px = relief_px(columns, stack.probability[:, columns].argmax(axis=0))
     return float(np.degrees(spread_px / camera.focal_px))
 
 
 def _belief(heading_prior, heading_deg):
-    """What the prior adds to a score when candidates are chosen: its log ratio, at the worth of a unit of score."""
+    """Score that the prior adds when candidates are chosen: its log ratio in units of the score."""
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
 
 
 def _fit(objective, starts, second, belief, options, progress):
-    """Short fits of all candidates, full fits of the best distinct ones.
+    """Fit all candidates briefly, and the best distinct ones in full.
 
-    Gives distinct trials, their scores and their scales of tolerance, best first. The belief in a heading helps to
-    choose what is looked at; the scores are the picture's alone.
+    Returns distinct trials, their scores and their tolerance scales, best first. The heading prior helps to choose
+    which candidates are fitted; the scores come from the picture alone.
     """
     trials = np.column_stack([starts, np.zeros((len(starts), 2))])
     trials, score, _ = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
     score = score + second.score(trials) + belief(trials[:, 0])
     kept = distinct_headings(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
     scales = sorted(options.refine.error_scales, reverse=True)
-    # Each from where the short fit left it: at a wide tolerance an answer may drift from a place that is already right.
+    # Each scale starts where the short fit ended: at a wide tolerance an answer may drift from a correct position.
     part = subtask(progress, 0.5, 1.0)
     best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, part, chained=False)
     best_score = best_score + second.score(best)
@@ -245,9 +247,9 @@ def _fit(objective, starts, second, belief, options, progress):
 
 
 def _best_over_scales(objective, trials, scales, stride, progress, chained=True):
-    """Fit all trials at one tolerance after the other; each keeps its best place, score and scale.
+    """Fit all trials at each tolerance in turn; each trial keeps its best parameters, score and scale.
 
-    Where `chained`, a tolerance starts from where the one before ended, else from the given trials.
+    If `chained`, each tolerance starts from the result of the one before; otherwise it starts from the given trials.
     """
     best, best_score, best_scale = trials.copy(), np.full(len(trials), -np.inf), np.ones(len(trials))
     for index, scale in enumerate(scales):
@@ -260,7 +262,7 @@ def _best_over_scales(objective, trials, scales, stride, progress, chained=True)
 
 
 def _skyline_residual(objective, trial, evidence, full):
-    """Drawn skyline minus projected horizon (w,) [pixels of the full picture], and their NCC."""
+    """Best skyline minus projected horizon (w,) [pixels of the full picture], and their NCC."""
     columns = np.arange(objective.stack.shape[1])
     row = objective.rows(trial, columns)[0][0]
     best = evidence.best

@@ -1,10 +1,10 @@
-"""Skyline evidence: for each column, how likely the boundary between sky and terrain lies at each row.
+"""Estimate, for each column, the probability that the boundary between sky and terrain lies at each row.
 
-A conditional logit per column: score = weights . features, softmax over the rows. Neighbouring columns see much the
-same pixels, so the log-probabilities are tempered before they are joined along the columns by forward-backward.
-The matcher should use the whole distribution: a column with two likely rows (snow edge, cloud edge) then helps
-whichever heading explains one of them. `best` is for drawing. A frame around the picture (a scan's border, letterbox
-bars) is cut off first and laid around the result again.
+The model is a conditional logit per column: score = weights . features, softmax over the rows. Neighbouring columns
+see much the same pixels, so the log-probabilities are tempered before they are joined along the columns by
+forward-backward. The matcher should use the whole distribution: a column with two likely rows (snow edge, cloud edge)
+then helps whichever heading explains one of them. `best` is for drawing. A frame around the picture (a scan's border,
+letterbox bars) is cut off first and put back around the result.
 """
 
 from __future__ import annotations
@@ -29,28 +29,28 @@ WEIGHTS_PATH = Path(__file__).with_name("weights.json")
 SMALLEST_PX = 24
 
 BELIEVABLE = 0.1
-"""Below this chance of being right a column of the best line is masked."""
+"""Columns of the best line that are less likely than this to be right are masked."""
 
 TOP_ROWS = 2
-"""A line in the first rows is the frame's own edge, not a skyline."""
+"""A line that is no lower than this row is the edge of the frame, not a skyline."""
 
 RIVAL_GAP_PX = 4
-"""A rival lies farther above the best line than this, beyond the line's own uncertainty."""
+"""A rival line lies farther than this above the best line, outside the uncertainty of the best line."""
 
 RIVAL_LEAST = 0.02
-"""And holds more than this of a column's probability."""
+"""A rival line holds more than this share of a column's probability."""
 
 RIVAL_SHARE = 0.2
-"""In at least this share of the columns."""
+"""A rival line exists if it holds that probability in at least this share of the columns."""
 
 NOWHERE = -100.0
 """Log-score of a row that is ruled out."""
 
 FRAME_TOLERANCE = 24.0
-"""How far a frame's pixels stray from its colour, largest channel [grey levels]."""
+"""Largest deviation of a frame's pixels from its colour, in any channel [grey levels]."""
 
 DEEPEST_FRAME_SHARE = 0.3
-"""No side of a frame takes more of the picture than this."""
+"""Largest share of the picture that one side of a frame can take."""
 
 FRAME_LEVELS = (40.0, 215.0)
 """Frames are dark or bright: every channel below the first or above the second [grey levels]."""
@@ -58,7 +58,7 @@ FRAME_LEVELS = (40.0, 215.0)
 
 @dataclass(frozen=True)
 class SkylineOptions:
-    """Parameters of the extraction.
+    """Options of the extraction.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class SkylineOptions:
     colour_passes : int
         Rounds of learning the colours of sky and ground from the picture's edges alone.
     refits : int
-        Rounds of learning them again from what the whole extraction then believes.
+        Rounds of learning them again from the result of the whole extraction.
     temper : float
         Exponent of each column's probabilities before they are joined: about one over the number of columns that
         see the same pixels.
@@ -76,9 +76,9 @@ class SkylineOptions:
     jump_share : float
         Probability of a jump to any row between neighbouring columns.
     seam_cost_per_px : float
-        The same for the single best line, in units of the untempered score per row.
+        Cost of a step for the single best line, in units of the untempered score per row.
     weights : dict of str to float, optional
-        In place of the shipped table: weight per feature name.
+        Weight per feature name; replaces the shipped table.
     """
 
     work_px: int = 512
@@ -106,7 +106,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
         Upright RGB, at full size or reduced.
     options : SkylineOptions
     width_px, height_px : int, optional
-        Size of the full picture where `pixels` is a reduced copy [pixels].
+        Size of the full picture, if `pixels` is a reduced copy [pixels].
 
     Returns
     -------
@@ -117,7 +117,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     Raises
     ------
     SkylineNotFoundError
-        The picture is too small or shows nothing at all.
+        The picture is too small or has a single colour.
     """
     height, width = pixels.shape[:2]
     reduced = _reduce(pixels, options.work_px)
@@ -150,7 +150,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
 
 
 def _laid_out(probability, line, crop, shape):
-    """What evidence holds of one belief about the skyline, in the frame of the whole reduced picture."""
+    """Fields of `SkylineEvidence` that describe one line, in the frame of the whole reduced picture."""
     inside, leaves_frame = _cut_ridges_apart(probability)
     return {
         "probability": _framed(inside, crop, shape),
@@ -160,7 +160,7 @@ def _laid_out(probability, line, crop, shape):
 
 
 def _rival(score, probability, line, options):
-    """Probability and line once more, with all rows above the best line alone; None where little is there."""
+    """Probability and line from the rows above the best line alone; None if they hold little probability."""
     rows = np.arange(len(score))[:, None]
     above = (rows < line - RIVAL_GAP_PX) & (rows > 0)
     held = np.where(above, np.exp(score), 0).sum(0) > RIVAL_LEAST
@@ -173,7 +173,7 @@ def _rival(score, probability, line, options):
 
 
 def _believe(appearance, ratio, options):
-    """Score of each row by its column alone, and probability by all columns, both (H, W)."""
+    """Score of each row from its column alone, and probability from all columns, both (H, W)."""
     score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
@@ -187,7 +187,7 @@ def log_probability(features, weights):
 
 @lru_cache(maxsize=1)
 def shipped_weights():
-    """The table that `tools/fit_skyline.py` wrote: weight per feature name."""
+    """Read the table written by `tools/fit_skyline.py`: weight per feature name."""
     return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
 
 
@@ -204,7 +204,7 @@ def _reduce(pixels, work_px):
 
 
 def find_crop(rgb):
-    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros without one."""
+    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros if none."""
     rgb = np.asarray(rgb, np.float32)
     height, width = rgb.shape[:2]
     if min(height, width) < 32:
@@ -225,28 +225,28 @@ def find_crop(rgb):
 
 
 def _depth(share):
-    """Lines until fewer than half the pixels have the frame's colour (a caption's letters leave most of it)."""
+    """Lines before fewer than half the pixels have the frame's colour (letters of a caption cover less than half)."""
     ended = share < 0.5
     depth = int(ended.argmax()) if ended.any() else 0
     return depth if depth <= DEEPEST_FRAME_SHARE * len(share) else 0
 
 
 def _clean_depth(share):
-    """`_depth` for a side that must be pure frame from its first line on and end within three lines; else 0."""
+    """`_depth` of a side that is pure frame from its first line on and ends within three lines; else 0."""
     depth = _depth(share)
     pure = depth - 2 if depth > 2 else depth
     return depth if depth and share[:pure].min(initial=1.0) >= 0.97 else 0
 
 
 def _cut_ridges_apart(probability):
-    """Probability of the rows inside the frame, and per column that the ridge leaves it (row 0)."""
+    """Probability of the rows inside the frame, and the probability per column that the ridge leaves it (row 0)."""
     inside = probability.copy()
     inside[0] = 0
     return inside, probability[0].astype(np.float32)
 
 
 def _skyline(line, probability, crop, shape):
-    """The best line with, per column, the probability that it is right to about half a per cent of the height."""
+    """Best line, with the probability per column that it is right to about half a per cent of the height."""
     top, _, left, _ = crop
     inner_height, inner_width = probability.shape
     reach = max(2, round(0.005 * inner_height))
@@ -262,7 +262,7 @@ def _skyline(line, probability, crop, shape):
 
 
 def _ridges(appearance, probability):
-    """Long edges that stand out from their surroundings, where the picture is likely below the skyline."""
+    """Long edges that stand out from their surroundings, weighted by the probability of lying below the skyline."""
     strength = np.expm1(appearance.long_edges[6])
     above, below = means_above_below(strength, 24)
     standing_out = np.log((strength + 0.2) / ((above + below) / 2 + 0.2))
@@ -270,7 +270,7 @@ def _ridges(appearance, probability):
 
 
 def _framed(inner, crop, shape, rows_outside=None):
-    """Put a map back into the frame that was cut off: flat probability beside it, 0 above and below it."""
+    """Put a map back into the frame that was cut off, with flat probability beside it and 0 above and below it."""
     top, bottom, left, right = crop
     height, width = shape[:2]
     whole = np.full((height, width), 1 / height if rows_outside is None else rows_outside, np.float32)
