@@ -1,7 +1,7 @@
-"""One photograph in, one answer out: the entry that QGIS algorithms, benchmarks and scripts share.
+"""Orient one photograph file; QGIS algorithms, benchmarks and scripts all use this entry.
 
-It reads the file, settles position, lens and eye, shares horizons between photographs of one station, and turns
-every fault of a photograph into an answer with status 'failed' and a sentence. Faults of the DEM stop the batch.
+The module reads the file, determines position, lens and eye, shares horizons between photographs from one station, and
+turns every error in a photograph into an answer with status 'failed' and a message. Errors in the DEM stop the batch.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .pipeline import Hints, OrientOptions, Setting, camera_prior, cast_horizon,
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
-"""Long side of the pictures that the robust method and the figures work with; the evidence itself uses 512."""
+"""Long side of the pictures that the robust method and the figures use [pixels]; the evidence itself uses 512."""
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,11 @@ class LandmarkHint:
     Attributes
     ----------
     x_px, y_px : float
-        The first pixel's centre at 0 [pixels].
+        Position; the centre of the first pixel is at 0 [pixels].
     longitude_deg, latitude_deg : float
         WGS 84 [degrees].
     elevation_m : float or None
-        Absolute [m]; None takes the DEM's.
+        Absolute elevation [m]; None means the elevation of the DEM.
     sigma_px : float
         Precision of the click [pixels].
     """
@@ -58,29 +58,29 @@ class LandmarkHint:
 
 @dataclass(frozen=True)
 class PhotoRequest:
-    """One photograph and what is known beside the file; None takes the file's or the DEM's word.
+    """One photograph and what is known apart from its file; None means the value from the file or the DEM.
 
     Attributes
     ----------
     path : str
     longitude_deg, latitude_deg : float or None
-        Position, WGS 84 [degrees]; 0, 0 counts as none.
+        Position, WGS 84 [degrees]; 0, 0 counts as no position.
     prefer_photo_position : bool
-        Take the file's own position where it has one, and the given one only otherwise.
+        Use the position in the file if it has one, and the given position otherwise.
     eye_elevation_m : float or None
         Absolute elevation of the eye in the DEM's height system [m].
     eye_height_m : float
-        Above the DEM [m], where no elevation is given.
+        Height of the eye above the DEM, used if no elevation is given [m].
     use_altitude : bool
-        Put the eye at the altitude that the file records, where no elevation is given.
+        Put the eye at the altitude recorded in the file if no elevation is given.
     hfov_deg : float or None
         Horizontal field of view of the upright picture [degrees].
     focal_length_35mm : float or None
-        Overrides the file's [mm].
+        Overrides the value in the file [mm].
     position_error_m : float or None
         Standard deviation of the position [m].
     heading_deg, heading_tolerance_deg : float or None, float
-        Approximate true heading, and the distance within which it surely lies [degrees].
+        Approximate true heading, and the largest plausible error of it [degrees].
     landmarks : tuple of LandmarkHint
     drawn_skyline : tuple of (x_px, y_px) or None
         Vertices on the full upright picture.
@@ -106,12 +106,12 @@ class PhotoRequest:
 
 
 class HorizonCache:
-    """The last horizons and the terrain below them, for photographs taken from one station.
+    """Cache of the last horizons and the terrain below them, for photographs taken from one station.
 
     Parameters
     ----------
     size : int
-        Stations kept; each takes about 4 MB.
+        Number of stations kept; each takes about 4 MB.
     """
 
     def __init__(self, size=16):
@@ -119,7 +119,7 @@ class HorizonCache:
         self._kept = OrderedDict()
 
     def profile(self, dem, observer, options, progress=SILENT):
-        """Give the observer's `HorizonProfile`, cast anew only where it is not among the last ones.
+        """Return the observer's `HorizonProfile`, computed only if it is not cached.
 
         Parameters
         ----------
@@ -131,18 +131,18 @@ class HorizonCache:
         return self._look_up(cast_horizon, dem, observer, options, progress)
 
     def inner(self, dem, observer, options, progress=SILENT):
-        """Give the `InnerTerrain` below the observer's horizon in the same way.
+        """Return the `InnerTerrain` below the observer's horizon in the same way.
 
         Parameters
         ----------
         dem, observer, progress
-            As `profile` takes them.
+            As for `profile`.
         options : InnerOptions
         """
         return self._look_up(inner_terrain, dem, observer, options, progress)
 
     def _look_up(self, compute, dem, observer, options, progress):
-        # A DEM equals itself only; as part of the key it stays alive as long as its results.
+        # A DEM is equal only to itself; as part of the key it stays alive as long as its results do.
         key = (compute, dem, observer, options)
         if key not in self._kept:
             self._kept[key] = compute(dem, observer, options, progress)
@@ -167,7 +167,7 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
     Returns
     -------
     OrientedPhoto
-        Status 'failed' with the reason where the photograph or its facts are at fault.
+        Status 'failed' with the reason if there is an error in the photograph or its data.
 
     Raises
     ------
@@ -228,7 +228,7 @@ def _usable(longitude_deg, latitude_deg):
 
 
 def _declination(metadata, longitude_deg, latitude_deg):
-    """Declination at the photo's place and time; None where it cannot be known."""
+    """Declination at the photo's place and time; None if it cannot be determined."""
     if metadata.compass_reference != "M" or metadata.taken_at is None:
         return None
     return declination_deg(latitude_deg, longitude_deg, metadata.altitude_m or 0.0, metadata.taken_at)
@@ -236,7 +236,7 @@ def _declination(metadata, longitude_deg, latitude_deg):
 
 def _hints(request, metadata, dem, observer, compass_deg):
     if request.heading_deg is not None:
-        # A person's "surely within" is read as two standard deviations.
+        # The tolerance that a person gives counts as two standard deviations.
         heading = HeadingPrior(float(request.heading_deg), max(request.heading_tolerance_deg / 2, 0.5), 0.01)
     else:
         heading = compass_prior(compass_deg)
@@ -265,15 +265,15 @@ def _direction(hint, dem, observer):
 
 
 def _eye_elevation_m(request, metadata):
-    """Elevation that was given, or recorded and trusted; None: the DEM's."""
+    """Elevation of the eye that was given, or recorded and to be used; None means that of the DEM."""
     if request.eye_elevation_m is not None or not request.use_altitude:
         return request.eye_elevation_m
-    # DEMs count from the sea; the geoid lies up to 100 m off the ellipsoid.
+    # DEM elevations are above sea level; the geoid lies up to 100 m from the ellipsoid.
     return None if metadata.altitude_reference == "ellipsoid" else metadata.altitude_m
 
 
 def _eye_notes(request, metadata, oriented):
-    """Remark on a recorded altitude that contradicts the DEM, or that was wanted and is of no use."""
+    """Note on a recorded altitude that contradicts the DEM, or that was requested but cannot be used."""
     if metadata.altitude_m is None or oriented.ground_elevation_m is None:
         return ()
     trusted = request.use_altitude and request.eye_elevation_m is None

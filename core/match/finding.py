@@ -1,7 +1,7 @@
-"""The answers of a fit: what speaks for and against each of them, and how probable it is that they are right.
+"""Assess the answers of a fit: the evidence for and against each one, and the probability that it is right.
 
-`examine` gathers a `Finding`, the quantities that tell right answers from wrong ones; `judge` turns it into
-probabilities, by the calibration and by what is believed of the heading.
+`examine` gathers a `Finding`, the quantities that separate right answers from wrong ones; `judge` turns it into
+probabilities by the calibration and the heading prior.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ from .refine import Objective
 from .search import CoarseResult
 
 LANDMARK_LIMIT = 3.0
-"""Standard deviations within which a landmark counts as met."""
+"""Largest miss at which an answer still fits a landmark [standard deviations]."""
 
 LANDMARK_PROBABILITY = 0.95
-"""Least p_correct of an answer that meets every landmark: a person's word, slips of the hand set aside."""
+"""Smallest p_correct of an answer that fits every landmark; the remainder allows for slips of the hand."""
 
 
 @dataclass(frozen=True, eq=False)
 class Finding:
-    """The answers and what speaks for and against them.
+    """Answers of a fit and the evidence for and against them.
 
     Attributes
     ----------
     heading_deg, score : (K,) arrays
         Distinct answers, best first; the scores include priors and inner crests.
     sigma_deg : (K,) array
-        Standard deviation of each heading: curvature of the score, DEM, position.
+        Standard deviation of each heading, from the curvature of the score, the DEM and the position [degrees].
     relief_deg : float
         Spread of the horizon inside the frame about a straight line, at the best answer [degrees].
     explained : float
@@ -39,11 +39,12 @@ class Finding:
     residual_px : float
         Median distance of the likeliest rows from the best answer's horizon [pixels of the reduced picture].
     terrain_px : float
-        Median tolerance that the DEM's and the position's errors ask for at the best answer [pixels of the reduced
+        Median tolerance due to the errors of the DEM and the position at the best answer [pixels of the reduced
         picture].
     sureness : float
-        Mean over the columns of the probability near each column's likeliest row: how decided the evidence is.
+        Mean over the columns of the probability near each column's likeliest row: how concentrated the evidence is.
     hfov_deg : float
+        Horizontal field of view [degrees].
     """
 
     heading_deg: np.ndarray
@@ -58,7 +59,7 @@ class Finding:
 
     @property
     def gap(self):
-        """Score of the best above the second answer; 0 where there is no second one to compare with."""
+        """Score of the best answer minus that of the second; 0 if there is no second answer."""
         return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
 
 
@@ -76,7 +77,7 @@ class Answers:
         Multiple of the expected tolerance at which each fits best.
     finding : Finding
     floor_deg : float
-        Smallest standard deviation that a heading is credited with [degrees].
+        Lower limit of the standard deviation of a heading [degrees].
     """
 
     objective: Objective
@@ -87,7 +88,7 @@ class Answers:
     floor_deg: float
 
     def reordered(self, order):
-        """The same answers, with another one first."""
+        """Return the answers in another order, examined again for the new first one."""
         trials, scale = self.trials[order], self.scale[order]
         finding = examine(self.objective, trials, self.finding.score[order], scale, self.floor_deg)
         return replace(self, trials=trials, scale=scale, finding=finding)
@@ -98,13 +99,13 @@ def examine(objective, trials, score, scale, floor_deg):
 
     Parameters
     ----------
-    objective : refine.Objective
+    objective : Objective
     trials : (K, 5) array
         See `geometry.PARAMETERS`.
     score, scale : (K,) arrays
         `scale` is the multiple of the expected tolerance at which a trial fits best.
     floor_deg : float
-        Smallest standard deviation that a heading is credited with [degrees].
+        Lower limit of the standard deviation of a heading [degrees].
     """
     columns, probability = objective.columns(1), objective.stack.probability
     row, tolerance = objective.rows(trials[:1], columns)
@@ -129,13 +130,14 @@ def examine(objective, trials, score, scale, floor_deg):
 def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     """Standard deviation of each trial's heading [degrees], at most 30.
 
-    The inverse curvature of the score gives what the picture leaves open. Two errors shift the whole horizon and do
-    not show in it: the DEM's, c cells, and the position's, both over the terrain's distance. A trial that fits best
-    at a wider tolerance (`scale`) says that the DEM, or the lens, is so much worse here than expected.
+    The inverse curvature of the score gives the uncertainty that the picture leaves. Two errors shift the whole horizon
+    and do not show in the curvature: that of the DEM (c cells) and that of the position, both divided by the distance
+    of the terrain. If a trial fits best at a wider tolerance (`scale`), the DEM or the lens is worse here than expected
+    by that factor.
 
     Parameters
     ----------
-    objective : refine.Objective
+    objective : Objective
     trials : (K, 5) array
         See `geometry.PARAMETERS`.
     scale : (K,) array
@@ -143,7 +145,7 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     position_error_m : float
         Standard deviation of the position [m].
     floor_deg : float
-        Smallest standard deviation that a heading is credited with [degrees].
+        Lower limit of the standard deviation of a heading [degrees].
     """
     _, _, curvature = objective.expand(trials, 1.5 * scale)
     free = np.flatnonzero(objective.free)
@@ -157,7 +159,7 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
 
 
 def relief_px(columns, row):
-    """Standard deviation of rows about a straight line [pixels]; 0 where there are too few."""
+    """Standard deviation of rows about a straight line [pixels]; 0 if there are too few."""
     if len(columns) < 20:
         return 0.0
     return float(np.std(row - np.polyval(np.polyfit(columns, row, 1), columns)))
@@ -171,9 +173,10 @@ def _sureness(probability, likeliest, reach_px=2):
 
 
 def judge(answers, heading_prior=None):
-    """Probability of each answer, by the picture and by the belief in a heading; both come back best first.
+    """Return the answers and the probability of each, from the picture and the heading prior, best first.
 
-    The picture speaks first and alone, since its probabilities are calibrated so; then the belief is joined to it.
+    The probabilities are first computed from the picture alone, since they are calibrated that way; the heading prior
+    is applied afterwards.
     """
     best_probability = p_correct(answers.finding)
     if _landmarks_met(answers):
@@ -187,6 +190,6 @@ def judge(answers, heading_prior=None):
 
 
 def _landmarks_met(answers):
-    """Whether there are landmarks and the best answer meets all of them."""
+    """Whether there are landmarks and the best answer fits all of them."""
     miss = answers.objective.landmark_residual(answers.trials[:1])
     return miss.size > 0 and bool((np.abs(miss) < LANDMARK_LIMIT).all())

@@ -1,12 +1,12 @@
-"""The DEM's horizon seen through many trial cameras at once: one row per picture column and trial.
+"""Project the DEM's horizon through many trial cameras at once: one row per picture column and trial.
 
-A trial is a row of five parameters, in the order of `PARAMETERS`. The projection is that of `core.base.camera.project`,
-written out so that its derivatives come with it: turned by the heading and pitched, a horizon point at the azimuth
-a (from the axis) and the tangent t of its elevation angle lies at
+A trial is a vector of five parameters, in the order of `PARAMETERS`. The projection is that of
+`core.base.camera.project`, written out so that its derivatives are available. After the turn by heading and pitch, a
+horizon point at azimuth a from the axis, with t the tangent of its elevation angle, lies at
 
     u = sin a / F,  v = (t cos p - cos a sin p) / F,  F = cos a cos p + t sin p,
 
-right and up in focal lengths; the roll turns (u, v), distortion and focal length stretch them.
+to the right and up, in focal lengths. The roll rotates (u, v); distortion and focal length scale them.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ PARAMETERS = ("heading_deg", "pitch_deg", "roll_deg", "log_focal", "k1")
 """Columns of a (K, 5) array of trials; log_focal is relative to the prior camera, k1 adds to the camera's own."""
 
 NEWTON_STEPS = 3
-"""Projections that bring a horizon point onto its column; the last remainder is corrected along the tangent."""
+"""Number of projections that move a horizon point onto its column; the rest is corrected along the tangent."""
 
 LARGEST_SLIP = 0.02
-"""A point farther than this from its column after the last step was not found [focal lengths]."""
+"""A point farther than this from its column after the last step counts as not found [focal lengths]."""
 
 STEEPEST = 10.0
 """Limit on the horizon's slope in the picture, where overhangs and edges make it unbounded."""
@@ -46,12 +46,12 @@ class HorizonCurve:
 
     Parameters
     ----------
-    horizon : model.HorizonProfile
+    horizon : HorizonProfile
 
     Attributes
     ----------
     elevation_deg, distance_m : (A,) arrays
-        With unknown azimuths filled; `known` tells which those were.
+        Values of unknown azimuths are interpolated; `known` is False there.
     clipped : (A,) bool array
         The horizon is a lower bound there.
     """
@@ -71,14 +71,14 @@ class HorizonCurve:
         self._slope = (np.roll(self._tangent, -1) - self._tangent) / np.radians(self.step_deg)
 
     def tangent_at(self, azimuth_deg):
-        """Tangent of the elevation angle between the profile's azimuths, and its slope per radian of azimuth."""
+        """Interpolated tangent of the elevation angle, and its slope per radian of azimuth."""
         position = np.mod(azimuth_deg, 360.0) / self.step_deg
         low = position.astype(np.intp) % len(self._tangent)
         slope = self._slope[low]
         return self._tangent[low] + slope * (np.radians(self.step_deg) * (position - np.floor(position))), slope
 
     def elevation_at(self, azimuth_deg):
-        """Elevation angle between the profile's azimuths [degrees]."""
+        """Interpolated elevation angle [degrees]."""
         return np.degrees(np.arctan(self.tangent_at(azimuth_deg)[0]))
 
     def nearest(self, azimuth_deg):
@@ -96,7 +96,7 @@ def _filled(values, known):
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """Points as trial cameras see them; (K, N) arrays.
+    """Points in the image planes of trial cameras; (K, N) arrays.
 
     Attributes
     ----------
@@ -123,15 +123,15 @@ def see(camera, trials, turn, tangent, slope=0.0, derivatives=False):
     Parameters
     ----------
     camera : Camera
-        For its distortion.
+        Its distortion is used.
     trials : (K, 5) array
         See `PARAMETERS`.
     turn : (K, N) array
-        Azimuth right of the trials' headings [radians].
+        Azimuth to the right of the trials' headings [radians].
     tangent, slope : array
         Tangent of the points' elevation angles, and its change per radian of azimuth.
     derivatives : bool
-        Whether to give those by heading and pitch as well.
+        Whether to return the derivatives by heading and pitch as well.
 
     Returns
     -------
@@ -195,12 +195,12 @@ def horizon_rows(curve, camera, trials, columns, derivatives=False):
     columns : (C,) array
         Pixels.
     derivatives : bool
-        Whether to give the rows' derivatives as well.
+        Whether to return the derivatives of the rows as well.
 
     Returns
     -------
     row_px : (K, C) array
-        NaN where no point of the horizon comes to lie on the column.
+        NaN if no point of the horizon lies on the column.
     azimuth_deg : (K, C) array
         Azimuth of the horizon point that is seen there.
     jacobian : (K, C, 5) array or None
@@ -225,7 +225,7 @@ def horizon_rows(curve, camera, trials, columns, derivatives=False):
 
 
 def _jacobian(seen, slope, focal):
-    """What each parameter does to the row at a fixed column: its own lift, less the slope times its own shift."""
+    """Derivative of the row at a fixed column by each parameter: vertical shift minus slope times horizontal shift."""
     scale = -focal * seen.gain
     degree = np.pi / 180
     lift = seen.y - slope * seen.x

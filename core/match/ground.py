@@ -1,15 +1,16 @@
-"""Second evidence: does the ground that the DEM shows explain the light and colour of the picture below the horizon?
+"""Score how well the ground in the DEM explains the light and colour of the picture below the horizon.
 
-At the right pose brightness and colour follow the terrain: slopes turned to the sun and away from it, snow on flat and
-on high ground, haze over what is far. None of it needs to be known beforehand. Light by Lambert's law is linear in the
-surface's normal, wherever the sun stands, so that a multivariate regression of the picture on the ground's normal,
-distance and elevation tells how much a pose explains, beyond what a plane over the picture does: with E0 and E1 the
-residuals' cross products without and with the ground, Wilks' statistic gives the log likelihood ratio
+At the right pose, brightness and colour follow the terrain: slopes facing the sun and facing away from it, snow on flat
+and on high ground, haze over distant terrain. None of this needs to be known beforehand. By Lambert's law light is
+linear in the surface normal, whatever the position of the sun. A multivariate regression of the picture on the normal,
+distance and elevation of the ground therefore measures how much a pose explains beyond a plane fitted to the picture.
+With E0 and E1 the cross products of the residuals without and with the ground, Wilks' statistic gives the log
+likelihood ratio
 
     log L = n / 2 * log(|E0| / |E1|)
 
-(Wilks 1932, doi:10.1093/biomet/24.3-4.471). Neighbouring pixels are far from independent; n is the number of patches
-that are, in proportion to the share of the picture that shows ground.
+(Wilks 1932, doi:10.1093/biomet/24.3-4.471). Neighbouring pixels are far from independent; n is the number of
+independent patches, in proportion to the share of the picture that shows ground.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from ..base.camera import unproject
 from .geometry import lens_of, pose_of
 
 LEAST_PIXELS = 60
-"""Fewer pixels of ground than this say nothing."""
+"""Smallest number of ground pixels for which a pose is scored."""
 
 RIDGE_SHARE = 1e-3
 """Ridge penalty of the regression, as a share of the attributes' variance."""
@@ -31,15 +32,15 @@ RIDGE_SHARE = 1e-3
 
 @dataclass(frozen=True)
 class GroundMatchOptions:
-    """What the ground's look counts.
+    """Weight of the appearance of the ground.
 
     Attributes
     ----------
     weight : float
         Score per unit of log(|E0| / |E1|) / 2 for a picture full of ground; 0 switches it off.
     clearance_px : int
-        Ground nearer to the sky or to unknown ground than this, up or down, is left out, since the pose is only known
-        so well [pixels of the thumbnail].
+        Ground nearer to the sky or to unknown ground than this, up or down, is left out, since the pose is no more
+        exact than that [pixels of the thumbnail].
     """
 
     weight: float = 6.0
@@ -52,7 +53,7 @@ class GroundEvidence:
     Parameters
     ----------
     picture : (h, w, 3) float array
-        As `core.base.imaging.thumbnail` gives it.
+        As returned by `core.base.imaging.thumbnail`.
     view : core.horizon.inner.GroundView
     options : GroundMatchOptions
     """
@@ -67,12 +68,12 @@ class GroundEvidence:
         self._shown = np.isfinite(self._light).all(axis=2)
 
     def score(self, camera, trials):
-        """Score of each trial, to be added to the skyline's; 0 where hardly any ground is in the frame.
+        """Score of each trial, to be added to the skyline's; 0 if hardly any ground is in the frame.
 
         Parameters
         ----------
         camera : Camera
-            Of the picture at any scale.
+            Camera of the picture, at any scale.
         trials : (K, 5) array
             See `geometry.PARAMETERS`.
         """
@@ -97,16 +98,16 @@ class GroundEvidence:
 
 
 def _regressors(ground):
-    """Attributes of the ground, with the squares that let snow lie on gentle slopes and haze level off; (N, 7)."""
+    """Attributes of the ground (N, 7); the squares model snow on gentle slopes and haze that levels off."""
     _, _, up, log_distance, _ = ground
     return np.concatenate([ground, [up**2, log_distance**2]]).T.astype(float)
 
 
 def _without(basis, values):
-    """Remainder of columns beside an orthonormal basis."""
+    """Part of the columns that is orthogonal to an orthonormal basis."""
     return values - basis @ (basis.T @ values)
 
 
 def _log_det(residual):
-    """Log determinant of the cross products; the small addition is a picture without any contrast."""
+    """Log determinant of the cross products; the small addition covers a picture without contrast."""
     return np.linalg.slogdet(residual.T @ residual + 1e-6 * np.eye(residual.shape[1]))[1]

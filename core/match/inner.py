@@ -1,4 +1,4 @@
-"""Second evidence from the inside of the picture: its lines at the DEM's crests, its light on the DEM's slopes."""
+"""Score the picture below the skyline: its lines against the DEM's crests, its light against the DEM's slopes."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .ridges import RidgeEvidence
 
 
 class InnerEvidence:
-    """What the inside of the picture adds to the score of a trial; nothing where it or the terrain is unknown.
+    """Score that the picture below the skyline adds to a trial; 0 if that part or the terrain is unknown.
 
     Parameters
     ----------
-    objective : refine.Objective
-    inputs : inputs.MatchInputs
+    objective : Objective
+    inputs : MatchInputs
         Its evidence and its inner terrain are used.
-    options : robust.RobustOptions
+    options : RobustOptions
     """
 
     def __init__(self, objective, inputs, options):
@@ -33,7 +33,7 @@ class InnerEvidence:
             self._ground = GroundEvidence(evidence.thumbnail, inner.ground, options.ground)
 
     def __bool__(self):
-        """Whether there is anything to look at."""
+        """Whether any inner evidence is available."""
         return self._crests is not None or self._ground is not None
 
     def score(self, trials):

@@ -1,4 +1,4 @@
-"""What a match takes: all that is known of one photograph when its heading is searched."""
+"""Define the inputs of a match: everything known about one photograph before the search for its heading."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .prior import CameraPrior, HeadingPrior
 
 @dataclass(frozen=True, eq=False)
 class MatchInputs:
-    """What is known of one photograph before the match.
+    """Everything known about one photograph before the match.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class MatchInputs:
     position_error_m : float
         Standard deviation of the observer's position [m].
     inner : InnerTerrain or None
-        Crests and ground below the horizon, for second evidence.
+        Crests and ground below the horizon, for additional evidence.
     """
 
     evidence: SkylineEvidence
@@ -41,11 +41,11 @@ class MatchInputs:
 
     @property
     def reduced_prior(self):
-        """The lens at the size of the evidence; the spread of its focal length is relative and stays."""
+        """Camera prior at the size of the evidence; the spread of the focal length is relative and does not change."""
         height, width = self.evidence.probability.shape
         return replace(self.camera_prior, camera=self.camera_prior.camera.scaled(width, height))
 
     @property
     def behind(self):
-        """The same inputs with the evidence's rival, the fainter line behind the striking one, as their evidence."""
+        """Inputs with the evidence's rival, the fainter line behind the most prominent one, as their evidence."""
         return replace(self, evidence=self.evidence.rival)

@@ -1,4 +1,4 @@
-"""Landmarks given by a person: brought to the reduced picture, turned into starts, and judged after the fit."""
+"""Use landmarks given by a person: scale them to the reduced picture, derive starting poses, report the misses."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ class Landmark:
 def scale_landmarks(landmarks, full, reduced):
     """Move landmarks from the full picture's pixels to the reduced one's.
 
-    Half a reduced pixel is added to their spread: the evidence knows nothing finer.
+    Half a reduced pixel is added to their spread, since the evidence resolves nothing finer.
 
     Parameters
     ----------
     landmarks : sequence of Landmark
         In pixels of the full picture.
     full, reduced : Camera
-        Of the two pictures.
+        Cameras of the two pictures.
 
     Returns
     -------
@@ -62,8 +62,8 @@ def scale_landmarks(landmarks, full, reduced):
 def starting_pose(camera, landmark):
     """Level pose from which the landmark is seen at its pixel.
 
-    Pitch and heading follow from one direction once the roll is taken as zero; a few corrections of the pitch by
-    the remaining difference of elevation suffice, since one moves the other almost one to one.
+    Pitch and heading follow from one direction if the roll is taken as zero. A few corrections of the pitch by the
+    remaining difference in elevation suffice, since pitch changes the elevation almost one to one.
     """
     pitch, azimuth = 0.0, 0.0
     for _ in range(12):
@@ -73,16 +73,16 @@ def starting_pose(camera, landmark):
 
 
 def landmark_notes(landmarks, camera, pose):
-    """One sentence per landmark: by how much the found camera misses it [pixels of the full picture].
+    """Return one message per landmark with its distance from the predicted position [pixels of the full picture].
 
     Parameters
     ----------
     landmarks : sequence of Landmark
         In pixels of the full picture.
     camera : Camera
-        As found, of the full picture.
+        Fitted camera of the full picture.
     pose : Pose
-        As found.
+        Fitted pose.
     """
     notes = []
     for number, mark in enumerate(landmarks, 1):

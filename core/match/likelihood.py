@@ -1,16 +1,16 @@
-"""Robust log evidence: what a skyline row is worth in each column, for every tolerance.
+"""Compute the robust log likelihood of a skyline row in each column, for every tolerance.
 
-The evidence map gives p(row | column). A horizon that should lie at row y, known to within a Gaussian of s rows,
-and a column that is explained by something else altogether with probability e, make the likelihood ratio
-against an uninformed column
+The evidence map gives p(row | column). Let the horizon be predicted at row y with a Gaussian error of s rows, and let
+each column be explained by something else altogether with probability e. The log likelihood ratio against an uninformed
+column is then
 
     B(column, y; s) = log((1 - e) / e * (H * (p(. | column) convolved with N(0, s))(y) + t / q * Phi(-y / s))
                           + P(below) + a P(above)),
 
-where `below` and `above` tell on which side of y the column's boundary lies, and t is the probability that the ridge
-leaves the frame at the top, q what that is in an uninformed column. Clouds and haze hide the ridge, so that the
-boundary seen lies below the horizon, more often than trees and people rise above it: a < 1. B saturates: a column
-that the horizon does not explain costs at most log(a). Above the frame B is log((1 - e) / e * t / q + 1 - t).
+where `below` and `above` refer to the side of y on which the column's boundary lies, t is the probability that the
+ridge leaves the frame at the top, and q is that probability in an uninformed column. Clouds and haze hide the ridge, so
+that the visible boundary lies below the horizon, more often than trees and people rise above it: a < 1. B saturates: a
+column that the horizon does not explain costs at most log(a). Above the frame B is log((1 - e) / e * t / q + 1 - t).
 """
 
 from __future__ import annotations
@@ -21,20 +21,20 @@ import numpy as np
 from scipy import fft, special
 
 EDGE_ROW = 0.5
-"""Evidence counts first terrain pixels: a boundary at row r, in pixel centres, is the upper edge of row r + 0.5."""
+"""Rows of evidence are first terrain pixels: a boundary at r, in pixel centres, is the upper edge of row r + 0.5."""
 
 INFORMATIVE = 1.5
-"""A column says something when its likeliest row has more than this times the flat probability."""
+"""A column is informative if its likeliest row has more than this multiple of the flat probability."""
 
 
 @dataclass(frozen=True)
 class LikelihoodOptions:
-    """How evidence becomes a score.
+    """Options of the conversion from evidence to a score.
 
     Attributes
     ----------
     outlier_share : float
-        e above: columns whose boundary is something else (cloud, tree, person).
+        e above: share of the columns whose boundary is something else (cloud, tree, person).
     above_share : float
         a above.
     leaving_share : float
@@ -62,12 +62,12 @@ class LikelihoodOptions:
 
 
 class EvidenceStack:
-    """B for a ladder of tolerances, looked up at any row and tolerance.
+    """B for a series of tolerances, interpolated at any row and tolerance.
 
     Parameters
     ----------
     probability : (h, w) array
-        p(row | column), as `model.SkylineEvidence` has it.
+        p(row | column), as in `SkylineEvidence`.
     options : LikelihoodOptions
     leaves_frame : (w,) array or None
         Probability that the ridge leaves the frame.
@@ -81,7 +81,7 @@ class EvidenceStack:
     shape : tuple
         (h, w) of the reduced picture.
     informative : (M,) int array
-        Columns that say anything at all about the skyline; all of them where none does.
+        Columns with any information about the skyline; all columns if none has any.
     """
 
     def __init__(self, probability, options=LikelihoodOptions(), leaves_frame=None):  # noqa: B008 - frozen
@@ -100,7 +100,7 @@ class EvidenceStack:
 
     @staticmethod
     def informative_columns(probability, leaving=0.0):
-        """Indices of the columns that say anything at all about the skyline; `leaving` is t / q above."""
+        """Indices of the columns with any information about the skyline; `leaving` is t / q above."""
         return np.flatnonzero(np.maximum(probability.max(axis=0) * probability.shape[0], leaving) > INFORMATIVE)
 
     def at_tolerance(self, tolerance_px):
@@ -108,13 +108,13 @@ class EvidenceStack:
         return self._blurred(np.array([tolerance_px]))[0]
 
     def look_up(self, column, row_px, tolerance_px):
-        """B at rows between pixels and tolerances between levels.
+        """Interpolate B between rows and between levels of tolerance.
 
         Parameters
         ----------
         column : int array
         row_px, tolerance_px : array
-            Broadcast together with `column`; NaN rows are out of the frame.
+            Broadcast together with `column`; NaN rows are out of the frame and give 0.
 
         Returns
         -------

@@ -1,7 +1,8 @@
-"""From scores to an answer that says how sure it is: probabilities, interval, status, advice.
+"""Turn scores into an answer with its certainty: probabilities, interval, status, advice.
 
-The probability of the best answer is a logistic regression on what speaks for and against it. Its weights, means and
-spreads stand in `calibration.json`, which `tools/fit_calibration.py` fits on simulated photographs.
+The probability of the best answer is a logistic regression on quantities that separate right answers from wrong ones.
+Its weights, means and spreads are in `calibration.json`, which `tools/fit_calibration.py` fits on simulated
+photographs.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from .prior import log_ratio
 
 TABLE_PATH = Path(__file__).with_name("calibration.json")
 LARGEST_STANDARD = 3.0
-"""Features are cut at this many standard deviations: beyond what the table has seen nothing becomes surer."""
+"""Features are clipped at this many standard deviations: values outside the fitted range add no certainty."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class PosteriorOptions:
     accept_at : float
         Smallest p_correct of an accepted answer.
     reject_below : float
-        p_correct below which nothing is said to fit.
+        p_correct below which the answer is rejected.
     min_relief_deg : float
         A horizon flatter than this inside the frame cannot be matched.
     """
@@ -43,12 +44,12 @@ class PosteriorOptions:
 
 @lru_cache(maxsize=1)
 def table():
-    """The shipped table as plain values."""
+    """Read the shipped calibration table as plain values."""
     return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
 
 
 def features(finding):
-    """What tells right answers from wrong ones, by name."""
+    """Quantities that separate right answers from wrong ones, by name."""
     top = max(float(finding.score[0]), 1e-3)
     return {
         "relative_gap": min(max(finding.gap, 0.0) / top, 0.5),
@@ -64,8 +65,8 @@ def features(finding):
 def p_correct(finding, calibration=None):
     """Probability that the best answer is within 3 degrees of the truth.
 
-    The regression's word, but never more than the best answer's share of the likelihood among all answers: whatever
-    else speaks for a fit, of two equal ones each is right half the time.
+    It is the value of the regression, but never more than the best answer's share of the likelihood among all answers:
+    whatever the other quantities are, each of two equal answers is right half the time.
     """
     calibration = calibration or table()
     values = features(finding)
@@ -77,13 +78,13 @@ def p_correct(finding, calibration=None):
 
 
 def likelihood_share(score, temperature):
-    """Share of the first of some scores in the sum of their likelihoods exp(temperature * score)."""
+    """Share of the first score in the sum of all likelihoods exp(temperature * score)."""
     score = np.asarray(score, float)
     return float(1 / np.exp(temperature * (score - score[0])).sum())
 
 
 def answer_probabilities(finding, best_probability):
-    """Share `1 - best_probability` among the other answers by their scores; the rest is 'none of them'."""
+    """Divide `1 - best_probability` among the other answers by their scores; the rest is 'none of them'."""
     likelihood = np.exp(table()["temperature"] * (finding.score - finding.score[0]))
     others = likelihood[1:].sum()
     share = (1 - best_probability) * likelihood[1:] / (others + 1.0) if others > 0 else np.zeros(0)
@@ -91,14 +92,15 @@ def answer_probabilities(finding, best_probability):
 
 
 def weigh(probability, heading_deg, prior):
-    """Join what the picture says with a belief about the heading (Bayes).
+    """Combine the probabilities from the picture with a heading prior by Bayes' rule.
 
     Parameters
     ----------
     probability : (K,) array
-        Of the answers, from the picture alone; what is missing to 1 is 'none of them', spread over the circle.
+        Probabilities of the answers from the picture alone; the remainder to 1 is 'none of them', spread over the
+        circle.
     heading_deg : (K,) array
-    prior : prior.HeadingPrior or None
+    prior : HeadingPrior or None
     """
     weighted = probability * np.exp(log_ratio(prior, heading_deg))
     return weighted / (weighted.sum() + max(1 - probability.sum(), 0.0))
@@ -111,10 +113,10 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
 
     Parameters
     ----------
-    finding : finding.Finding
-        For headings and their spreads.
+    finding : Finding
+        Supplies the headings and their spreads.
     probability : (k,) array
-        Of the first k answers; what is missing to 1 is the remainder.
+        Probabilities of the first k answers; the uniform part is the remainder to 1.
     mass : float
         Probability that the arc holds.
     step_deg : float
@@ -136,7 +138,7 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
     start = np.arange(len(heading))
     stop = np.searchsorted(total, total[start] + mass * total[len(heading)])
     length = np.where(stop - start <= len(heading), stop - start, len(heading))
-    # Among equally short arcs the one centred on the best answer.
+    # Among equally short arcs, take the one centred on the best answer.
     centre = start + length / 2
     offset = np.abs(difference(centre * step_deg, finding.heading_deg[0]))
     first = int(np.lexsort((offset, length))[0])
@@ -144,16 +146,16 @@ def interval(finding, probability, mass=0.9, step_deg=0.05):
 
 
 def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=False):
-    """Status and the `Message` that says why and what to do.
+    """Return the status, and a `Message` with the reason and what to do.
 
     Parameters
     ----------
-    finding : finding.Finding
+    finding : Finding
     probability : (K,) array
-        Of the answers, best first.
+        Probabilities of the answers, best first.
     options : PosteriorOptions
     has_landmarks : bool
-        Whether landmarks hold the answer where the horizon is too flat to do so.
+        Whether there are landmarks, which determine the answer even if the horizon is too flat to do so.
     """
     best = probability[0]
     if finding.relief_deg < options.min_relief_deg and not has_landmarks:

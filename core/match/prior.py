@@ -1,4 +1,4 @@
-"""What is believed before the fit: about the position, the lens and the heading, the compass's reading included."""
+"""Define the priors on the lens and the heading, including the prior from a recorded compass heading."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..base.camera import FOCAL_SIGMA, Camera
 
 @dataclass(frozen=True)
 class CameraPrior:
-    """What is known of the lens before the fit.
+    """Lens before the fit.
 
     Attributes
     ----------
     camera : Camera
-        Of the full upright picture.
+        Camera of the full upright picture.
     focal_sigma : float
         Relative standard deviation of the focal length.
     """
@@ -28,18 +28,18 @@ class CameraPrior:
 
 @dataclass(frozen=True)
 class HeadingPrior:
-    """A soft belief about the heading, from a compass or a person.
+    """Soft prior on the heading, from a compass or a person.
 
     Attributes
     ----------
     heading_deg : float
-        True [degrees].
+        True heading [degrees].
     sigma_deg : float
         Spread of the core [degrees].
     outlier_share : float
-        Probability that it is worthless (uniform over the circle).
+        Probability that the given heading is worthless (uniform over the circle).
     faults : tuple of (float, float)
-        Known ways to be wrong: a turn [degrees] to add to `heading_deg`, and its probability.
+        Known errors: a turn [degrees] to add to `heading_deg`, and its probability.
     """
 
     heading_deg: float
@@ -51,8 +51,9 @@ class HeadingPrior:
 def log_ratio(prior, heading_deg):
     """Log of the prior's density over the uniform one, at headings [degrees].
 
-    A Gaussian core, its copies at the prior's known faults (a phone held the other way turns its compass by 90
-    degrees), and a uniform share: never below the log of that share, so that no prior can forbid an answer.
+    The density has a Gaussian core, copies of it at the prior's known faults (a phone held the other way turns its
+    compass by 90 degrees), and a uniform share. The result is never below the log of that share, so that no prior can
+    rule out an answer.
     """
     heading_deg = np.asarray(heading_deg, float)
     if prior is None:
@@ -70,16 +71,16 @@ def _gaussian_ratio(turn_deg, sigma_deg):
 
 @dataclass(frozen=True)
 class CompassOptions:
-    """Belief in a recorded heading.
+    """Error model of a recorded heading.
 
     Attributes
     ----------
     sigma_deg : float
         Spread of the core [degrees].
     outlier_share : float
-        Readings that say nothing.
+        Share of the readings that carry no information.
     quarter_turn_share, half_turn_share : float
-        Readings that are off by 90 degrees to either side (each), and by 180 degrees.
+        Shares of the readings that are off by 90 degrees to either side (each), and by 180 degrees.
     """
 
     sigma_deg: float = 10.0
@@ -95,7 +96,7 @@ class CompassOptions:
 
 
 def true_heading_deg(metadata, declination_deg=None):
-    """Recorded heading against true north [degrees], or None where there is none or it cannot be turned to true.
+    """Recorded heading against true north [degrees], or None if there is none or it cannot be converted.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def true_heading_deg(metadata, declination_deg=None):
 
 
 def compass_prior(heading_deg, options=CompassOptions()):
-    """Turn a true compass heading [degrees] into a soft prior with quarter-turn faults; None stays None."""
+    """Turn a true compass heading [degrees] into a soft prior with quarter- and half-turn faults; None stays None."""
     if heading_deg is None:
         return None
     quarter, half = options.quarter_turn_share, options.half_turn_share

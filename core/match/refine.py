@@ -1,12 +1,12 @@
-"""Refinement of many candidates at once: damped Newton steps on the robust evidence.
+"""Refine many candidates at once by damped Newton steps on the robust evidence.
 
-All candidates move together, as rows of one array; each has its own damping. The score of a trial is
+The candidates are the rows of one array and move together; each has its own damping. The score of a trial is
 
     S = mean over columns of B(column, row(trial); s) - L * (penalties on roll, focal length, distortion),
 
 with s^2 = k^2 ((pixel error)^2 + (c * cell / distance * focal)^2) + (slope * position error / distance * focal)^2:
-the DEM's own error by the distance of the horizon point, times a scale k that each candidate chooses for itself, and
-what the eye's displacement does to near ground, which no good fit elsewhere makes smaller.
+the error of the DEM at the distance of the horizon point, times a scale k that is chosen for each candidate, and the
+effect of an error of the eye's position on near ground, which a good fit elsewhere does not reduce.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ LANDMARK_PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
 """Steps of the numerical derivatives of landmarks, in the order of `geometry.PARAMETERS`."""
 
 CLIPPED_FACTOR = 2.0
-"""Tolerance of the horizon where the DEM ends too early or has voids, against elsewhere."""
+"""Factor on the tolerance of the horizon where the DEM ends too early or has voids."""
 
 LARGEST_MISS = 300.0
-"""Cap on a landmark's miss in standard deviations; also what a landmark behind the camera counts."""
+"""Cap on a landmark's miss [standard deviations]; also the miss of a landmark behind the camera."""
 
 
 @dataclass(frozen=True)
@@ -40,15 +40,15 @@ class RefineOptions:
     pixel_error_px : float
         Error of the evidence itself [pixels of the reduced picture].
     error_scales : tuple of float
-        k above: among these each candidate takes its best.
+        k above: the values from which the best is chosen for each candidate.
     effective_columns : float
         Number of independent column groups: 1 / L.
     roll_sigma_deg, k1_sigma : float
         Spreads of the Gaussian priors; 0 holds k1 at the camera's own value.
     ground_slope : float
-        Rise of the ground per metre, by which a displaced eye sees a crest higher or lower.
+        Rise of the ground per metre, which shifts a crest up or down if the eye is displaced.
     iterations : int
-        Steps of a fit at one tolerance, at most.
+        Largest number of steps of a fit at one tolerance.
     """
 
     terrain_error_cells: float = 0.25
@@ -73,11 +73,11 @@ class Objective:
     Parameters
     ----------
     stack : EvidenceStack
-    prior : prior.CameraPrior
+    prior : CameraPrior
         Camera of the reduced picture and the relative spread of its focal length.
     curve : HorizonCurve
     options : RefineOptions
-    landmarks : sequence of landmarks.Landmark, optional
+    landmarks : sequence of Landmark, optional
         In pixels of the reduced picture.
     position_error_m : float
         Standard deviation of the eye's position [m].
@@ -94,7 +94,7 @@ class Objective:
         self._landmark = np.array(place, float).reshape(-1, 5).T
 
     def columns(self, stride):
-        """Every `stride`-th of the picture's columns that have evidence."""
+        """Every `stride`-th column of the picture that has evidence."""
         return self.stack.informative[stride // 2 :: stride]
 
     def rows(self, trials, columns, scale=1.0):
@@ -135,7 +135,7 @@ class Objective:
         scale : float or (K,) array
             k above: multiple of the expected tolerance.
         stride : int
-            Every so many columns are looked at.
+            Only every `stride`-th column is used.
 
         Returns
         -------
@@ -152,14 +152,14 @@ class Objective:
         Parameters
         ----------
         trials, scale, stride
-            As `score` takes them.
+            As for `score`.
 
         Returns
         -------
         score : (K,) array
         gradient : (K, 5) array
         curvature : (K, 5, 5) array
-            Positive.
+            Of the negative score, so that it is positive.
         """
         columns = self.columns(stride)
         row, azimuth, jacobian = horizon_rows(self.curve, self.camera, trials, columns, derivatives=True)
@@ -172,7 +172,7 @@ class Objective:
         usable = np.isfinite(row) & (value > 0)
         jacobian[~usable] = 0.0
         slope = np.where(usable, slope / (2 * reach), 0.0)
-        # Share of the column that the horizon explains: only those columns hold the fit in place.
+        # Share of the column that the horizon explains: only columns that it explains constrain the fit.
         weight = np.where(usable, (1 - np.exp(-np.maximum(value, 0))) / (np.square(tolerance) + 1), 0.0)
         gradient = np.einsum("kc,kcj->kj", slope, jacobian) / len(columns)
         curvature = np.matmul(jacobian.transpose(0, 2, 1), weight[..., None] * jacobian) / len(columns)
@@ -223,13 +223,13 @@ def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
     ----------
     objective : Objective
     trials : (K, 5) array
-        See `geometry.PARAMETERS`; the given array stays as it is.
+        See `geometry.PARAMETERS`; the given array is not changed.
     scale : float or (K,) array
         Multiple of the expected tolerance.
     stride : int
-        Every so many columns are looked at.
+        Only every `stride`-th column is used.
     held : sequence of int
-        Columns of `geometry.PARAMETERS` that stay as they are.
+        Indices in `geometry.PARAMETERS` of the parameters that stay fixed.
     progress : Progress
 
     Returns
@@ -239,7 +239,7 @@ def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
     """
     trials = np.array(trials, float)
     score, gradient, curvature = objective.expand(trials, scale, stride)
-    # The curvature counts every explained column in full and is about twice too stiff: start below it.
+    # The curvature counts every explained column in full and is about twice too large: start below it.
     stiffness = np.full(len(trials), 0.5)
     free = np.setdiff1d(np.flatnonzero(objective.free), held)
     iterations = objective.options.iterations
@@ -260,7 +260,7 @@ def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
 
 
 def _newton(gradient, curvature, free):
-    """Steps (K, 5) up the gradient, by the curvature's inverse; parameters that are not free stay."""
+    """Newton steps (K, 5) up the gradient; parameters that are not free do not move."""
     step = np.zeros_like(gradient)
     matrix = curvature[np.ix_(range(len(gradient)), free, free)]
     matrix = matrix + 1e-9 * np.eye(len(free))
@@ -269,7 +269,7 @@ def _newton(gradient, curvature, free):
 
 
 def _bounded(move):
-    """Shorten steps that leave the neighbourhood for which the derivatives speak."""
+    """Shorten steps that leave the neighbourhood in which the derivatives are valid."""
     limit = np.array([1.5, 1.5, 2.0, 0.02, 0.05])
     excess = np.max(np.abs(move) / limit, axis=1, keepdims=True)
     return move / np.maximum(excess, 1.0)

@@ -1,12 +1,12 @@
-"""Do the crests that the DEM shows inside the terrain lie on lines of the picture?
+"""Test whether the DEM's crests below the skyline lie on lines of the picture.
 
-As second evidence (`RidgeEvidence`): at the right pose an inner crest falls on a row where the picture's edge is
-stronger than at most rows nearby; at a wrong pose on any row. The rank of the edge among the rows of its own
-neighbourhood is free of units, contrast and texture, and it is uniform where there is nothing to see. Measured means:
-0.60 at right poses, 0.48 at wrong ones, on real and on rendered photographs alike.
+`RidgeEvidence` scores poses. At the right pose an inner crest falls on a row where the picture's edge is stronger than
+at most rows nearby; at a wrong pose it falls on any row. The rank of the edge among the rows of its own neighbourhood
+does not depend on units, contrast or texture, and it is uniform where there is nothing to see. Measured means: 0.60 at
+right poses, 0.48 at wrong ones, on real and on rendered photographs alike.
 
-To tell a near crest from the skyline (`crest_share`): where the line that stands out most is a near crest, and the
-skyline the fainter one behind it, the DEM has a crest along the striking line.
+`crest_share` distinguishes a near crest from the skyline. If the most prominent line is a near crest, and the skyline
+is the fainter line behind it, the DEM has a crest along the most prominent line.
 """
 
 from __future__ import annotations
@@ -20,30 +20,30 @@ from .geometry import project_trials
 from .likelihood import EDGE_ROW
 
 BEHIND_SHARE = 0.6
-"""Least `crest_share` at which the line behind is matched; wrong headings reach 0.4, mostly 0.1."""
+"""Smallest `crest_share` at which the line behind is used; wrong headings reach 0.4, mostly 0.1."""
 
 CREST_REACH_PX = 4
-"""Crest and line may lie this far apart [pixels of the reduced picture]."""
+"""Largest distance between a crest and its line [pixels of the reduced picture]."""
 
 
 @dataclass(frozen=True)
 class RidgeMatchOptions:
-    """What inner crests count.
+    """Options of the score of inner crests.
 
     Attributes
     ----------
     weight : float
         Score per unit of mean rank above `neutral_rank`; 0 switches the crests off.
     neutral_rank : float
-        Half-way between right and wrong poses.
+        Mean rank half-way between those of right and wrong poses.
     enough_points : int
-        Crest points in the frame that give the full weight; fewer give less in proportion.
+        Number of crest points in the frame that gives the full weight; fewer give less in proportion.
     span_px : int
         Half the neighbourhood in which an edge is ranked [pixels of the reduced picture].
     windows_px : tuple of int
-        Heights within which the strongest edge counts, by the crest's own uncertainty.
+        Heights within which the strongest edge counts; the uncertainty of the crest selects one [pixels].
     clearance_px : float
-        Crests nearer to the horizon than this are its own evidence.
+        Crests nearer to the horizon than this are left out, since they are evidence of the horizon itself [pixels].
     """
 
     weight: float = 1.5
@@ -55,7 +55,7 @@ class RidgeMatchOptions:
 
 
 class RidgeEvidence:
-    """Ranks of the picture's edges, and how well crests meet them.
+    """Ranks of the picture's edges, and scores of the crests that fall on them.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ class RidgeEvidence:
         self._ranks = np.stack([local_rank(ridge_score, window, options.span_px) for window in options.windows_px])
 
     def score(self, camera, trials, horizon_row_px):
-        """Score of each trial, to be added to the skyline's; 0 where no crest lies in the frame.
+        """Score of each trial, to be added to the skyline's; 0 if no crest lies in the frame.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ def local_rank(strength, window_px, span_px):
     Parameters
     ----------
     strength : (h, w) array
-        Of the picture's edges.
+        Strength of the picture's edges.
     window_px : int
         Height within which the strongest edge counts.
     span_px : int
@@ -166,16 +166,16 @@ def local_rank(strength, window_px, span_px):
 
 
 def crest_share(objective, trial, evidence, edges):
-    """Share of the columns with a fainter line above in which a crest of the DEM lies on the striking one.
+    """Share of the columns with a second, fainter line in which a DEM crest lies on the most prominent line.
 
     Parameters
     ----------
-    objective : refine.Objective
-        For its camera.
+    objective : Objective
+        Its camera is used.
     trial : (5,) array
-        See `geometry.PARAMETERS`; of the match with `evidence.rival`.
-    evidence : model.SkylineEvidence
-        With a rival.
+        See `geometry.PARAMETERS`; from the match with `evidence.rival`.
+    evidence : SkylineEvidence
+        Evidence that has a rival.
     edges : core.horizon.ridges.RidgeEdges
     """
     line = np.asarray(evidence.best.row_px, float) - EDGE_ROW
@@ -188,6 +188,6 @@ def crest_share(objective, trial, evidence, edges):
     column = np.rint(x[shown]).astype(int)
     met = np.zeros(len(line))
     met[column[np.abs(y[shown] - line[column]) <= CREST_REACH_PX]] = 1
-    # Crests are points, about as dense as the columns: a neighbour's serves too.
+    # Crests are points, about as dense as the columns, so one in a neighbouring column counts too.
     met = np.convolve(met, np.ones(3), "same") > 0
     return float(met[doubled].mean())

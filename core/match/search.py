@@ -1,8 +1,8 @@
-"""Coarse search over all headings and pitches at once, by correlation of azimuth-elevation rasters.
+"""Search coarsely over all headings and pitches at once, by correlating azimuth-elevation rasters.
 
-For a trial pitch and roll the evidence is resampled from the picture to relative azimuth and elevation by the
-exact pinhole. A heading is then a shift in azimuth and a small change of pitch a shift in elevation, so that the
-score of every heading is one circular correlation with the DEM's horizon drawn as a line.
+For a trial pitch and roll, the evidence is resampled from the picture to relative azimuth and elevation by the exact
+pinhole model. A heading is then a shift in azimuth, and a small change of pitch is a shift in elevation, so that one
+circular correlation with the DEM's horizon, drawn as a line, gives the scores of all headings.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ ELEVATION_RANGE_DEG = (-60.0, 85.0)
 """Elevation angles of the raster; horizons from inside gorges rise above 50 degrees."""
 
 ABOVE_FRAME_DEG = 10.0
-"""How far above the picture a horizon may lie and still count as leaving it."""
+"""Largest distance above the picture at which a horizon counts as leaving the frame."""
 
 
 @dataclass(frozen=True)
@@ -31,20 +31,21 @@ class SearchOptions:
     Attributes
     ----------
     step_deg : float
-        Of the raster in azimuth and elevation.
+        Step of the raster in azimuth and elevation [degrees].
     tolerance_deg : float
-        Blur of the evidence.
+        Blur of the evidence [degrees].
     pitch_step_deg : float
-        Between resamplings; smaller shifts of pitch come from the raster.
+        Pitch between resamplings; smaller changes of pitch are shifts of the raster [degrees].
     largest_roll_deg : float
-        Trial rolls reach so far to both sides, and lie as close as the field and the tolerance ask: in a wide picture a
-        roll between two of them would lift one side of the horizon and lower the other out of reach.
+        Largest trial roll to either side [degrees]. The field of view and the tolerance determine the spacing of the
+        trial rolls: in a wide picture, a roll between two trials that are too far apart would lift one side of the
+        horizon and lower the other beyond the tolerance.
     keep, separation_deg : int, float
-        Candidates handed on and their smallest distance.
+        Number of candidates returned, and the smallest distance between them [degrees].
     narrow_deg : float
         Fields of view below this, and skylines whose relief is below a step, are searched at half the step, with more
-        and closer candidates: they hold few steps, and a rival that is missed makes a wrong answer look sure. Where
-        the relief is below half a step, as over the sea, at a quarter of it.
+        and closer candidates: they span few steps, and if a rival is missed, a wrong answer looks certain. If the
+        relief is below half a step, as over the sea, the search uses a quarter of the step.
     """
 
     step_deg: float = 0.4
@@ -100,16 +101,16 @@ class CoarseResult:
 
 @dataclass(frozen=True, eq=False)
 class DrawnHorizon:
-    """The horizon as a line in the azimuth-elevation raster, ready to be correlated with.
+    """Horizon drawn as a line in the azimuth-elevation raster, prepared for the correlation.
 
     Attributes
     ----------
     spectrum : (rows, N // 2 + 1) complex array
         Fourier transform of the raster's rows along the azimuth.
     held_rows : tuple of int
-        First and last row that holds any of the line.
+        First and last row that hold any of the line.
     step_deg : float
-        Of the raster in azimuth and elevation.
+        Step of the raster in azimuth and elevation [degrees].
     """
 
     spectrum: np.ndarray
@@ -123,14 +124,14 @@ def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, pr
     Parameters
     ----------
     stack : EvidenceStack
-        Its probabilities also tell which pitches are worth trying.
+        Its probabilities also determine which pitches are tried.
     camera : Camera
         Of the reduced picture.
     curve : HorizonCurve
     options : SearchOptions
     belief : callable or None
-        Headings (N,) [degrees] -> what is added to their scores when the candidates are chosen; the curve keeps what
-        the picture alone says.
+        Takes headings (N,) [degrees] and returns what is added to their scores when the candidates are chosen; the
+        scores returned by the search come from the picture alone.
     progress : Progress
 
     Returns
@@ -144,7 +145,7 @@ def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, pr
     line = _drawn_line(elevation, step, curve.known[curve.nearest(heading)])
     drawn = DrawnHorizon(fft.rfft(line, axis=1), _rows_held(line), step)
     evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
-    # One more row, which stands for all that is above the picture.
+    # An additional row stands for everything above the picture.
     evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
     pitches = _trial_pitches(stack.probability, camera, elevation, options.pitch_step_deg)
     rolls = options.rolls_deg(camera.hfov_deg)
@@ -174,9 +175,9 @@ def distinct_peaks(heading_deg, score, keep, separation_deg):
     heading_deg, score : (N,) arrays
         The circle in equal steps; scores of -inf are never chosen.
     keep : int
-        As many at most.
+        Largest number of headings.
     separation_deg : float
-        At least so far apart, across north as elsewhere [degrees].
+        Smallest distance between two of them, across north as elsewhere [degrees].
     """
     remaining = np.array(score, float)
     step = 360.0 / len(remaining)
@@ -192,7 +193,7 @@ def distinct_peaks(heading_deg, score, keep, separation_deg):
 
 
 def _drawn_line(elevation_deg, step, known):
-    """The horizon as a line one pixel wide, shared between the two nearest rows; (rows, N) float32."""
+    """Draw the horizon as a line one pixel wide, shared between the two nearest rows; (rows, N) float32."""
     low, high = ELEVATION_RANGE_DEG
     rows = int((high - low) / step)
     position = np.clip((elevation_deg - low) / step, 0, rows - 2)
@@ -206,13 +207,13 @@ def _drawn_line(elevation_deg, step, known):
 
 
 def _rows_held(line):
-    """First and last row that holds any of the horizon; the others have nothing to be correlated with."""
+    """First and last row that hold any of the horizon; the others cannot contribute to the correlation."""
     rows = np.flatnonzero(line.any(axis=1))
     return (int(rows[0]), int(rows[-1])) if len(rows) else (0, 0)
 
 
 def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
-    """Pitches that bring the rows with evidence onto elevations that the horizon has."""
+    """Pitches at which the rows with evidence fall on elevations of the horizon."""
     mass = probability.sum(axis=1)
     share = np.cumsum(mass) / mass.sum()
     top, bottom = np.searchsorted(share, [0.03, 0.97])
@@ -228,7 +229,7 @@ def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
 def _correlate(evidence, camera, trial, drawn, pitch_step_deg):
     """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
 
-    The first row of `evidence` stands for all that is above the picture; the trial is a `Pose` of heading 0.
+    The first row of `evidence` stands for everything above the picture; the trial is a `Pose` of heading 0.
     """
     step, held = drawn.step_deg, drawn.held_rows
     height, width = evidence.shape[0] - 1, evidence.shape[1]

@@ -1,9 +1,9 @@
-"""The last turn of the best answer: to the heading at which skyline and ground together agree best.
+"""Turn the best answer to the heading at which skyline and ground together agree best.
 
-The fit places an answer by its skyline alone. Near, rounded ridges that a coarse DEM misses, or a lens that is no
-pinhole, then pull it aside by some tenths of a degree, while crests and slopes all over the picture know better. Their
-evidence has no useful derivatives; headings close by are tried instead, each with pitch, roll and focal length fitted
-anew.
+The fit places an answer by its skyline alone. Near, rounded ridges that a coarse DEM misses, or a lens that is not a
+pinhole, then shift it by some tenths of a degree, while crests and slopes all over the picture still indicate the right
+heading. Their evidence has no useful derivatives, so nearby headings are tried instead, each with pitch, roll and focal
+length fitted again.
 """
 
 from __future__ import annotations
@@ -15,24 +15,25 @@ import numpy as np
 from .refine import refine
 
 HEADING = (0,)
-"""What is held while the rest is fitted, as columns of `geometry.PARAMETERS`."""
+"""Parameters that are held fixed while the others are fitted, as indices in `geometry.PARAMETERS`."""
 
 STRIDE = 2
-"""Every so many columns are enough to compare headings."""
+"""Step between the columns that are used to compare headings."""
 
 
 @dataclass(frozen=True)
 class TurnOptions:
-    """How far and how closely headings are tried.
+    """Range and spacing of the headings that are tried.
 
     Attributes
     ----------
     reach_deg, step_deg : float
-        Headings within `reach_deg` of the fit's, `step_deg` apart; 0 as reach switches the turn off.
+        Headings within `reach_deg` of the fitted heading are tried, `step_deg` apart; a reach of 0 switches the turn
+        off [degrees].
     share : float
-        Part of the inner evidence's weight that counts here. It tells answers apart better than it places one: its
-        picture is 64 pixels wide. Of 0.25, 0.5 and 1 this was the best on 147 views cut from photographs and cost
-        nothing on 120 simulated ones.
+        Share of the inner evidence's weight that counts here. That evidence is better at choosing between answers than
+        at placing one, since its picture is 64 pixels wide. Of 0.25, 0.5 and 1 this was the best on 147 views cut from
+        photographs and did no harm on 120 simulated ones.
     """
 
     reach_deg: float = 1.5
@@ -45,12 +46,12 @@ class TurnOptions:
 
 
 def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 - frozen
-    """Turn one answer to where all evidence agrees best.
+    """Turn one answer to the heading at which all evidence agrees best.
 
     Parameters
     ----------
-    objective : refine.Objective
-    second : inner.InnerEvidence
+    objective : Objective
+    second : InnerEvidence
     trial : (5,) array
         See `geometry.PARAMETERS`.
     scale : float
@@ -60,9 +61,9 @@ def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 
     Returns
     -------
     trial : (5,) array
-        The given one where no other agrees better.
+        The given trial if no other agrees better.
     score : float
-        Of the skyline and, in full, of the inner evidence.
+        Score of the skyline plus the full score of the inner evidence.
     """
     count = round(options.reach_deg / options.step_deg)
     trials = np.repeat(trial[None], 2 * count + 1, axis=0)
@@ -79,7 +80,7 @@ def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 
 
 
 def _peak(total):
-    """Top of the parabola through the highest value and its neighbours, in steps from it (at most half a one)."""
+    """Top of the parabola through the highest value and its neighbours, in steps from it (at most half a step)."""
     top = int(total.argmax())
     if not 0 < top < len(total) - 1:
         return 0.0
