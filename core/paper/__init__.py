@@ -1,1 +1,1 @@
-"""The published method of Twarog, all of it and only here, separate from the default method."""
+"""The published method of Twarog, complete and separate from the default method."""

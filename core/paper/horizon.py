@@ -1,6 +1,7 @@
-"""The paper's horizon, to the letter: 3,600 rays, nearest cell, one cell per step, 15 km, a plane earth.
+"""Compute the horizon exactly as published: 3,600 rays, nearest cell, one cell per step, 15 km, a flat earth.
 
-For comparison only. Rays follow the raster's grid: azimuths are grid bearings, which the paper takes for true ones.
+This horizon serves for comparison only. Its rays follow the raster's grid: their azimuths are grid bearings, which the
+paper treats as true bearings.
 """
 
 from __future__ import annotations
@@ -25,11 +26,11 @@ class PaperHorizonOptions:
     Attributes
     ----------
     azimuth_step_deg : float
-        [degrees].
+        Step between rays [degrees].
     max_distance_m : float
-        R_max [m].
+        Length of the rays, R_max [m].
     eye_height_m : float
-        Above the observer's cell [m].
+        Height of the eye above the observer's cell [m].
     """
 
     azimuth_step_deg: float = 0.1
@@ -48,14 +49,14 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
     ----------
     terrain : Terrain
     observer : Observer
-        Its own eye height and elevation are not used: the paper knows z(cell) + 1.7 m only.
+        Its own eye height and elevation are not used: the paper uses z(cell) + 1.7 m only.
     options : PaperHorizonOptions
     progress : Progress
 
     Returns
     -------
     HorizonProfile
-        Given at *true* azimuths, as everywhere: the grid bearings are turned by the convergence at the observer
+        Given at *true* azimuths, as elsewhere: the grid bearings are turned by the convergence at the observer
         (the paper does this for its wedge only, eq. 9), by the nearest ray. Slope alpha = (z - z_obs) / (s cell), s
         counting cells (eqs. 2-3); horizon = atan(max alpha) (eq. 4). `distance_m` is s times the cell size.
         `clipped` marks rays that leave the raster before R_max, `void` those that meet cells without data.
@@ -63,6 +64,7 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
     Raises
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
+        The observer is outside the DEM, or the DEM has a void there.
     """
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1.5 * options.max_distance_m)
     position = observer.longitude_deg, observer.latitude_deg
@@ -99,9 +101,10 @@ def paper_horizon(terrain, observer, options=PaperHorizonOptions(), progress=SIL
 
 
 def _cast(cells, eye, grid_azimuth_deg, steps, frame):
-    """Highest slope, the step where it is, steps inside the raster, and voids met, of each ray.
+    """Highest slope of each ray, the step at which it lies, the steps inside the raster, and the voids on the ray.
 
-    The eye is its row and column among the cells and its elevation [m]; the frame gives size and sense of the rows.
+    The eye is its row and column among the cells and its elevation [m]. The frame gives the cell size and the direction
+    of the rows.
     """
     eye_row, eye_col, eye_m = eye
     down = -1.0 if frame.row_goes_south else 1.0

@@ -1,6 +1,6 @@
-"""The heading search as published: linear angles, a shift for the tilt, normalised cross-correlation.
+"""Search for the heading as published: linear angles, a shift for the tilt, normalised cross-correlation.
 
-Steps 4 and 5 of the paper, equations 5 to 8; equations 7 and 8 themselves are `core.base.curves.row_ncc`.
+These are steps 4 and 5 of the paper, equations 5 to 8; `core.base.curves.row_ncc` computes equations 7 and 8.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ class PaperMatchOptions:
     Attributes
     ----------
     heading_step_deg : float
-        The paper's 0.5.
+        Step of the headings; the paper uses 0.5 [degrees].
     peak_separation_deg : float
-        A second peak is a local maximum at least this far from the first (ours; the paper does not define it).
+        A second peak is a local maximum at least this far from the first (our choice; the paper does not define it).
     min_valid_share : float
-        Fewer columns with a skyline than this share are refused (ours).
+        Smallest share of columns with a skyline that is accepted (our choice).
     """
 
     heading_step_deg: float = 0.5
@@ -46,7 +46,7 @@ def skyline_angles(skyline, hfov_deg, vfov_deg):
     ----------
     skyline : Skyline
     hfov_deg, vfov_deg : float
-        Of the picture [degrees].
+        Fields of view of the picture [degrees].
 
     Returns
     -------
@@ -66,19 +66,19 @@ def match_paper(skyline, hfov_deg, vfov_deg, horizon, options=PaperMatchOptions(
 
     Parameters
     ----------
-    skyline : model.Skyline
+    skyline : Skyline
         On the full picture, or on a reduced one of the same aspect.
     hfov_deg, vfov_deg : float
-        By the paper's rule, `core.paper.method.paper_fov_deg` [degrees].
-    horizon : model.HorizonProfile
+        Fields of view by the paper's rule, `core.paper.method.paper_fov_deg` [degrees].
+    horizon : HorizonProfile
     options : PaperMatchOptions
     progress : Progress
 
     Returns
     -------
-    model.Orientation
-        Status 'ambiguous' at best, because the method has no test of its own answer: an NCC of 0.97 with a wrong
-        heading is common. The whole NCC curve is kept.
+    Orientation
+        Status 'ambiguous' at best, because the method does not test its own answer: an NCC of 0.97 with a wrong heading
+        is common. The whole NCC curve is kept.
 
     Notes
     -----
@@ -135,7 +135,7 @@ def correlate(heading_deg, offset_deg, elevation_deg, horizon, progress=SILENT):
     Returns
     -------
     ncc : (N,) array
-        -1 to 1; NaN where the horizon is unknown along more than half of the skyline, or straight.
+        -1 to 1; NaN if the horizon is unknown along more than half of the skyline, or straight.
     tilt_deg : (N,) array
         Mean of horizon minus skyline: the pitch of the axis, + upwards [degrees].
     """

@@ -1,7 +1,7 @@
-"""The published method from a photograph to a heading: its field of view, its skyline, its search.
+"""Run the published method from a photograph to a heading: field of view, skyline, search.
 
 E. Twarog, "Skyline-Based Camera Orientation Estimation and Directed Viewshed Computation from Geotagged Mountain
-Photography". The numbers of equations and sections in this package are those of that paper.
+Photography". The numbers of equations and sections in this package refer to that paper.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ class PaperOptions:
 
     Attributes
     ----------
-    skyline, horizon, match : options of the stages
+    skyline, horizon, match : PaperSkylineOptions, PaperHorizonOptions, PaperMatchOptions
+        Options of the stages.
     """
 
     skyline: PaperSkylineOptions = field(default_factory=PaperSkylineOptions)
@@ -30,7 +31,7 @@ class PaperOptions:
 
 
 def paper_fov_deg(width_px, height_px, focal_length_35mm):
-    """Field of view by the paper's rule.
+    """Fields of view by the paper's rule.
 
     Equation 1, HFOV = 2 atan(36 / (2 f35)), with 36 mm along the picture's long side and 24 mm along the short
     one whatever its aspect, as the published 74 and 53 degrees at f35 = 24 mm show.
@@ -45,7 +46,7 @@ def paper_fov_deg(width_px, height_px, focal_length_35mm):
     Returns
     -------
     hfov_deg, vfov_deg : float
-        Horizontal and vertical [degrees].
+        Horizontal and vertical field of view [degrees].
     """
     long_deg = fov_of_focal_deg(36.0, focal_length_35mm)
     short_deg = fov_of_focal_deg(24.0, focal_length_35mm)
@@ -53,14 +54,14 @@ def paper_fov_deg(width_px, height_px, focal_length_35mm):
 
 
 def orient_by_paper(photo, camera, horizon, options=PaperOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Find where one photograph looks, as published.
+    """Find the heading of one photograph by the published method.
 
     Parameters
     ----------
     photo : Photo
-        At full resolution, for which the paper's numbers hold.
+        Photograph at full resolution, for which the paper's parameters are meant.
     camera : Camera
-        Gives the field of view where the photograph tells no 35 mm equivalent.
+        Gives the fields of view if the photograph records no 35 mm equivalent.
     horizon : HorizonProfile
         See `core.paper.horizon.paper_horizon`.
     options : PaperOptions
@@ -74,6 +75,7 @@ def orient_by_paper(photo, camera, horizon, options=PaperOptions(), progress=SIL
     Raises
     ------
     SkylineNotFoundError
+        No column of the photograph has a transition from sky to terrain.
     """
     metadata = photo.metadata
     skyline = extract_skyline_paper(photo.pixels, options.skyline)

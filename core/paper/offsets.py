@@ -1,8 +1,8 @@
-"""How far two skylines lie apart in angle, by pairs of landmarks (section 4 and Table 1 of the paper).
+"""Measure the angles between two skylines by pairs of landmarks (section 4 and Table 1 of the paper).
 
 A pair is one feature, a summit or a notch, clicked on the extracted skyline and on the synthetic one. Offsets are
-*synthetic minus extracted*: a positive azimuth offset puts the synthetic feature to the right, a positive elevation
-offset above. They measure how well two curves agree, not how wrong the heading is.
+*synthetic minus extracted*: a positive azimuth offset means that the synthetic feature lies to the right, a positive
+elevation offset that it lies above. They measure the agreement of two curves, not the error of the heading.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ class AngularOffsets:
     Attributes
     ----------
     azimuth_deg, elevation_deg : (N,) arrays
-        Signed, + to the right and + upwards [degrees].
+        Signed offsets, positive to the right and upwards [degrees].
     total_deg : (N,) array
-        Never negative [degrees].
+        Total offsets, never negative [degrees].
     """
 
     azimuth_deg: np.ndarray
@@ -39,12 +39,14 @@ class OffsetMeans:
     Attributes
     ----------
     name : str
-        The photograph, or what the group is.
+        Name of the photograph or of the group.
     pairs : int
+        Number of pairs.
     azimuth_deg, elevation_deg : float
         Mean of the *absolute* offsets [degrees].
     total_deg : float
-        Mean of the pairs' totals [degrees]. At least the root of the squared means, at most their sum.
+        Mean of the pairs' totals [degrees]. It is at least the root of the sum of the two squared means, and at most
+        the sum of the two means.
     bias_azimuth_deg, bias_elevation_deg : float
         Mean of the *signed* offsets: the part that one turn of the camera would remove [degrees].
     """
@@ -69,8 +71,8 @@ class OffsetTable:
     over_pairs : OffsetMeans
         Every pair counts the same.
     over_photos : OffsetMeans
-        Every photograph counts the same: the mean of the lines above. Both agree where all photographs have
-        equally many pairs, as the paper's three each.
+        Every photograph counts the same: the mean of the lines above. The two agree if all photographs have the same
+        number of pairs, like those of the paper with three each.
     """
 
     photos: tuple
@@ -79,7 +81,7 @@ class OffsetTable:
 
 
 def angular_offsets(extracted_px, synthetic_px, width_px, height_px, hfov_deg, vfov_deg):
-    """Offsets by the paper's linear rule: equation 10.
+    """Compute offsets by the paper's linear rule, equation 10.
 
     Parameters
     ----------
@@ -88,7 +90,7 @@ def angular_offsets(extracted_px, synthetic_px, width_px, height_px, hfov_deg, v
     width_px, height_px : float or (N,) array
         Size of the picture [pixels].
     hfov_deg, vfov_deg : float or (N,) array
-        Its fields of view [degrees].
+        Fields of view of the picture [degrees].
 
     Returns
     -------
@@ -97,8 +99,8 @@ def angular_offsets(extracted_px, synthetic_px, width_px, height_px, hfov_deg, v
 
     Notes
     -----
-    All degrees of the frame are taken as equal; at 74 degrees of view this underrates offsets in the middle by 14 %
-    and overrates those at the edges by 34 %. `pinhole_offsets` has them exactly.
+    Every degree is given the same width in the frame. At a field of view of 74 degrees this underestimates offsets in
+    the middle by 14 % and overestimates those at the edges by 34 %. `pinhole_offsets` is exact.
     """
     extracted, synthetic = _pairs(extracted_px, synthetic_px)
     if np.any(np.less_equal(width_px, 0)) or np.any(np.less_equal(height_px, 0)):
@@ -110,17 +112,17 @@ def angular_offsets(extracted_px, synthetic_px, width_px, height_px, hfov_deg, v
 
 
 def pinhole_offsets(extracted_px, synthetic_px, camera, pose=None):
-    """Offsets by the exact camera.
+    """Compute offsets with the exact camera model.
 
     Parameters
     ----------
     extracted_px, synthetic_px : (N, 2) arrays
         (x, y) of each pair on the two skylines [pixels of the upright picture].
     camera : Camera
-        Of the upright picture.
+        Camera of the upright picture.
     pose : Pose or None
-        Where it looked; None takes a level camera. It turns the same separation into different shares of azimuth
-        and elevation, and leaves the total alone.
+        Pose of the camera; None means a level camera. The pose changes how a separation divides into azimuth and
+        elevation, but not the total.
 
     Returns
     -------
@@ -136,7 +138,7 @@ def pinhole_offsets(extracted_px, synthetic_px, camera, pose=None):
 
 
 def offset_table(names, offsets):
-    """Means per photograph and overall, of absolute offsets as in Table 1.
+    """Compute the means of absolute offsets per photograph and overall, as in Table 1.
 
     Parameters
     ----------
@@ -147,12 +149,13 @@ def offset_table(names, offsets):
     Raises
     ------
     ValueError
-        Where there is no pair, or names and offsets differ in number.
+        There is no pair, or names and offsets differ in number.
 
     Notes
     -----
-    The overall total printed in the paper (3.31 degrees) is neither of our two: the mean of its own six totals is
-    3.42. One of its totals (2.45) even exceeds the sum of its parts (1.27 + 1.09), which no mean of pair totals can.
+    The overall total printed in the paper (3.31 degrees) is neither of the two means here: the mean of its own six
+    totals is 3.42. One of its totals (2.45) even exceeds the sum of its parts (1.27 + 1.09), which is impossible for a
+    mean of pair totals.
     """
     names = [str(name) for name in names]
     if not names or len(names) != len(offsets.total_deg):
@@ -172,7 +175,7 @@ def _pairs(extracted_px, synthetic_px):
 
 
 def _angle_between_deg(azimuth_a, elevation_a, azimuth_b, elevation_b):
-    """Angle between directions by the haversine formula, which keeps its digits for small angles [degrees]."""
+    """Angle between directions by the haversine formula, which is precise for small angles [degrees]."""
     rise = np.radians(np.subtract(elevation_b, elevation_a)) / 2
     turn = np.radians(difference(azimuth_b, azimuth_a)) / 2
     level = np.cos(np.radians(elevation_a)) * np.cos(np.radians(elevation_b))

@@ -1,8 +1,8 @@
-"""The skyline as published: smooth pixels are sky, and the first rough one below them is terrain.
+"""Extract the skyline as published: smooth pixels are sky, and the first rough one below them is terrain.
 
-Section 2 of the paper's method: grey, 9 x 9 box filter, 15 x 15 median, Laplacian below a threshold, erosion, first
-transition per column, then removal of jumps and median smoothing. The paper numbers no equation here; its angles of
-the skyline are equations 5 and 6 (`core.paper.match.skyline_angles`).
+The steps are those of section 2 of the paper: grey, 9 x 9 box filter, 15 x 15 median, Laplacian below a threshold,
+erosion, first transition per column, then removal of jumps and median smoothing. The paper numbers no equation here;
+its angles of the skyline are equations 5 and 6 (`core.paper.match.skyline_angles`).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class PaperSkylineOptions:
     median_px : int
         Side of the median filter of the picture, odd [pixels].
     laplacian_threshold : float
-        A pixel is candidate sky where the absolute Laplacian stays below this [grey levels].
+        A pixel is candidate sky if the absolute Laplacian is below this [grey levels].
     erosion_width_px, erosion_height_px : int
         Rectangle that erodes the sky, odd [pixels].
     max_jump_px : float
@@ -37,7 +37,7 @@ class PaperSkylineOptions:
     smoothing_px : int
         Width of the median filter along the skyline, odd [pixels].
     passes : int
-        How often jumps are removed and the line smoothed.
+        Number of times that jumps are removed and the line is smoothed.
     """
 
     box_px: int = 9
@@ -64,14 +64,14 @@ def extract_skyline_paper(pixels, options=PaperSkylineOptions()):  # noqa: B008 
     Parameters
     ----------
     pixels : uint8 (H, W, 3) array
-        Upright RGB at full resolution, for which the paper's numbers hold.
+        Upright RGB at full resolution, for which the paper's parameters are meant.
     options : PaperSkylineOptions
 
     Returns
     -------
     Skyline
-        One row per column of `pixels`. Confidence is 1 where the column had a transition of its own that survived
-        the removal of jumps, and 0 where the row is interpolated.
+        One row per column of `pixels`. Confidence is 1 if the column had a transition of its own that survived the
+        removal of jumps, and 0 if the row is interpolated.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def extract_skyline_paper(pixels, options=PaperSkylineOptions()):  # noqa: B008 
 
 
 def sky_mask(pixels, options=PaperSkylineOptions()):  # noqa: B008 - frozen
-    """Candidate sky, bool (H, W): where the smoothed grey picture's absolute Laplacian is small, eroded."""
+    """Candidate sky, bool (H, W): pixels at which the smoothed grey picture's absolute Laplacian is small, eroded."""
     grey = imaging.box_mean(imaging.to_grey(pixels), options.box_px, options.box_px)
     grey = imaging.median(grey, options.median_px)
     smooth = np.abs(imaging.laplacian(grey)) < options.laplacian_threshold
@@ -110,9 +110,9 @@ def smooth_rows(row_px, options=PaperSkylineOptions()):  # noqa: B008 - frozen
     Returns
     -------
     row_px : (W,) array
-        Without NaN [pixels].
+        Rows without NaN [pixels].
     kept : (W,) bool array
-        Columns never interpolated.
+        True for columns that were never interpolated.
     """
     columns = np.arange(len(row_px))
     kept = np.isfinite(row_px)

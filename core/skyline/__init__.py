@@ -1,1 +1,1 @@
-"""From a picture to the rows in which its sky ends."""
+"""Find the rows of a picture in which the sky ends."""

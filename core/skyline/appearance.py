@@ -1,4 +1,4 @@
-"""What can be measured at each pixel of a reduced picture: edges, long edges, texture, colour."""
+"""Measure edges, long edges, texture and colour at each pixel of a reduced picture."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SLOPES = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 
 @dataclass(frozen=True, eq=False)
 class Appearance:
-    """Per-pixel measurements of one reduced picture, each (H, W) unless said otherwise.
+    """Per-pixel measurements of one reduced picture, each (H, W) unless stated otherwise.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Appearance:
     long_edges : dict of int to array
         The same for gradients that keep their sign along a line, by the line's half length [pixels].
     colour : (H, W, 4) array
-        What the colour model learns from: slightly blurred L*a*b* and texture.
+        Input of the colour model: slightly blurred L*a*b* and texture.
     """
 
     lab: np.ndarray
@@ -41,7 +41,7 @@ class Appearance:
 
     @property
     def edge(self):
-        """Mean of the finer three edge maps: one number for "something ends here"."""
+        """Mean of the three finest edge maps: one measure of the strength of an edge."""
         return sum(self.edges[sigma] for sigma in EDGE_SIGMAS_PX[:3]) / 3
 
 
@@ -78,8 +78,8 @@ def _edge_strength(lab, sigma_px):
 def _long_edge_strength(lab, half_px, sigma_px, step_px):
     """Log of the largest mean gradient along a line through the pixel, over lines of several slopes.
 
-    The gradients are averaged as vectors in colour space: rock texture cancels out, a faint ridge against haze adds
-    up.
+    The gradients are averaged as vectors in colour space, so that rock texture cancels out and a faint ridge against
+    haze adds up.
     """
     down = _step_down(imaging.gaussian_blur(lab, sigma_px))
     height, width = down.shape[:2]

@@ -1,7 +1,8 @@
-"""What sky and ground look like in this one picture: two mixtures learned from the picture itself.
+"""Learn the appearance of sky and ground from the picture itself, as two mixtures.
 
 Sky and ground are each a mixture of a few elliptical clusters with heavy tails, fitted to the pixels above and below
-a first guess of the skyline. Nothing is carried over from other pictures, so a sepia print, dusk and noon all serve.
+a first guess of the skyline. Nothing is carried over from other pictures, so that the model works alike on a sepia
+print, at dusk and at noon.
 """
 
 from __future__ import annotations
@@ -19,16 +20,16 @@ FEWEST = 200
 FEWEST_IN_CLUSTER = 15
 
 RATIO_LIMIT = 5.0
-"""Log-likelihood ratios are clipped here, lest a lake or a snowfield decide a whole column."""
+"""Log-likelihood ratios are clipped at this value, so that a lake or a snowfield cannot decide a whole column."""
 
 MARGIN_PX = 3
-"""Pixels this near to the boundary are neither sky nor ground."""
+"""Pixels within this distance of the boundary count neither as sky nor as ground."""
 
 REACH = 0.5
-"""Ground farther below the skyline than this share of the height (a lake, a meadow) teaches nothing."""
+"""Ground farther below the skyline than this share of the height (a lake, a meadow) is not learned from."""
 
 DOUBT = 0.1
-"""A pixel teaches where the chance that it is the other kind is below this."""
+"""A pixel is learned from if the probability that it is of the other kind is below this."""
 
 SEAM_COST_PER_PX = 0.15
 SEAM_WINDOWS_PX = (6, 18, 54)
@@ -37,8 +38,8 @@ SEAM_WINDOWS_PX = (6, 18, 54)
 def learn_sky(appearance, passes=3):
     """Log-likelihood ratio of sky against ground by a model learned from this picture, clipped, (H, W) float32.
 
-    A first seam follows edges with few edges above it; the mixtures learn from both its sides, a better seam follows,
-    and so on. Zero where nothing can be learned.
+    A first seam follows edges with few edges above it. The mixtures are fitted to the pixels on both its sides. This
+    gives a better seam, and so on. The ratio is zero if nothing can be learned.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def learn_sky(appearance, passes=3):
 
 
 def relearn_sky(appearance, probability, ratio):
-    """The same log-likelihood ratio, learned from the pixels that a first extraction takes for sky and for ground.
+    """Log-likelihood ratio learned from the pixels that a first extraction classifies as sky and as ground, likewise.
 
     Parameters
     ----------
@@ -73,7 +74,7 @@ def relearn_sky(appearance, probability, ratio):
     probability : (H, W) array
         p(first terrain row | column).
     ratio : (H, W) array
-        What stays where nothing can be learned.
+        Returned if nothing can be learned.
     """
     height = len(probability)
     ground = probability.cumsum(0)
@@ -86,7 +87,7 @@ def relearn_sky(appearance, probability, ratio):
 
 
 def _seam_score(edge, ratio):
-    """An edge with sky-like pixels above it, ground-like ones below, and little ground anywhere above."""
+    """Score of an edge with sky-like pixels above it, ground-like ones below, and little ground anywhere above."""
     contrast = 0
     for window in SEAM_WINDOWS_PX:
         above, below = means_above_below(ratio, window)
@@ -105,14 +106,14 @@ def sky_log_ratio(features, is_sky, is_ground, clusters=4):
     is_sky, is_ground : (H, W) bool arrays
         Pixels to learn from.
     clusters : int
-        Of each mixture.
+        Number of clusters in each mixture.
 
     Returns
     -------
-    (H, W) float32 array, or None where either side has too few pixels to learn from.
+    (H, W) float32 array, or None if either side has too few pixels to learn from.
     """
     height, width, count = features.shape
-    # Centred, so that the quadratic forms below keep their precision in float32.
+    # The values are centred so that the quadratic forms below keep their precision in float32.
     flat = features.reshape(-1, count) - features.reshape(-1, count).mean(0)
     samples = []
     for mask in (is_sky, is_ground):
@@ -128,8 +129,8 @@ def sky_log_ratio(features, is_sky, is_ground, clusters=4):
 def k_means(points, clusters, rounds=15):
     """Label each point with one of at most `clusters` clusters; deterministic.
 
-    Starts from equal slices along the direction of largest spread. Clusters that lose all their points stay empty,
-    so one colour repeated a thousand times is a valid input.
+    The start is equal slices along the direction of largest spread. Clusters that lose all their points stay empty, so
+    that one colour repeated a thousand times is a valid input.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
-"""What speaks for a boundary between sky and ground above each pixel: fifty-seven numbers per row and column.
+"""Compute features that indicate a boundary between sky and ground above each pixel, fifty-seven per row and column.
 
 Row y stands for "the first terrain pixel of this column is y", so the boundary lies between y - 1 and y; row 0 means
-that the ridge leaves the frame at the top. All numbers belong to a picture of about 512 pixels on the long side; at
-finer scale terrain texture competes with the skyline.
+that the ridge leaves the frame at the top. All features are meant for a picture of about 512 pixels on the long side;
+at a finer scale, terrain texture competes with the skyline.
 
-`boundary_features` gathers them; below it stand the windows, sums and maxima along the columns that they are made of.
+`boundary_features` gathers them from the windows, sums and maxima along the columns that are defined below it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ LEVEL_WINDOWS_PX = (8, 32)
 
 
 def boundary_features(appearance, ratio):
-    """Everything the weights table refers to, by name.
+    """Return all features that the weights table refers to, by name.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def boundary_features(appearance, ratio):
 
 
 def _edge_features(appearance):
-    """Strength at four scales, and how far below the column's local maximum."""
+    """Edge strength at four scales, and its difference from the column's local maximum."""
     features = {}
     for sigma, edge in appearance.edges.items():
         features[f"edge_{sigma}"] = edge
@@ -54,7 +54,7 @@ def _edge_features(appearance):
 
 
 def _long_edge_features(appearance):
-    """Strength along lines, and how it stands out from the rows above (sky) and below (terrain)."""
+    """Edge strength along lines, and its contrast with the rows above (sky) and below (terrain)."""
     features = {}
     for half, edge in appearance.long_edges.items():
         features[f"line_{half}"] = edge
@@ -68,7 +68,7 @@ def _long_edge_features(appearance):
 
 
 def _colour_features(ratio):
-    """Sky-like above and ground-like below, in windows and over the whole column."""
+    """Sky-like colours above and ground-like colours below, in windows and over the whole column."""
     height = ratio.shape[0]
     features = {}
     for window in RATIO_WINDOWS_PX:
@@ -98,7 +98,7 @@ def _contrast_features(appearance):
 
 
 def _level_features(appearance):
-    """Texture and colour themselves: sky is smooth, terrain is not, cloud is pale, and none of that is a step."""
+    """Levels of texture and colour: sky is smooth, terrain is not, cloud is pale, and steps do not show any of it."""
     lightness, yellow = appearance.lab[..., 0] / 50, appearance.lab[..., 2] / 20
     chroma = np.hypot(appearance.lab[..., 1], appearance.lab[..., 2]) / 20
     levels = np.dstack([appearance.texture, lightness, yellow, chroma])
@@ -112,7 +112,7 @@ def _level_features(appearance):
 
 
 def _column_features(appearance, ratio):
-    """Position in the column, clutter above, and the case that the ridge leaves the frame (row 0)."""
+    """Position in the column, clutter above, and indicators that the ridge leaves the frame (row 0)."""
     height, width = ratio.shape
     row = np.broadcast_to(np.arange(height, dtype=np.float32)[:, None], (height, width))
     features = {
@@ -131,7 +131,7 @@ def _column_features(appearance, ratio):
 
 
 def means_above_below(values, window_px):
-    """Means of the `window_px` rows above each boundary and of those below it, edge rows repeated outside.
+    """Means of the `window_px` rows above each boundary and of those below it, with the edge rows repeated outside.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def means_above_below(values, window_px):
     window = int(window_px)
     total = np.zeros((height + 2 * window + 1,) + values.shape[1:])
     steps = np.arange(1, window + 1).reshape((-1,) + (1,) * (values.ndim - 1))
-    # Cumulative sums of the column extended by its end rows; the ends are arithmetic, not stored.
+    # Cumulative sums of the column extended by its end rows; the extensions are computed, not stored.
     total[1 : window + 1] = steps * values[0]
     np.cumsum(values, 0, out=total[window + 1 : window + 1 + height], dtype=np.float64)
     total[window + 1 : window + 1 + height] += window * values[0]

@@ -1,4 +1,4 @@
-"""Skyline evidence that a person or another program supplies: a sky mask or a drawn line."""
+"""Build skyline evidence from what a person or another program supplies: a sky mask or a drawn line."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from ..base.model import Skyline, SkylineEvidence
 from .evidence import SkylineOptions
 
 MASK_SIGMA_PX = 1.0
-"""How far a mask's edge is trusted [pixels of the reduced picture]."""
+"""Standard deviation of a mask's edge [pixels of the reduced picture]."""
 
 HAND_SHARE = 300
-"""A hand draws to a 300th of the picture's long side."""
+"""A line drawn by hand is precise to the long side of the picture divided by this."""
 
 TRACE_SIGMA_PX = 1.0
-"""Best precision of a line that a program traced [pixels of the full picture]."""
+"""Best precision of a line traced by a program [pixels of the full picture]."""
 
 OUTLIER_SHARE = 0.02
 """Share of a given column's probability spread over all rows."""
@@ -30,12 +30,13 @@ def evidence_from_mask(mask, width_px=None, height_px=None):
     mask : (H, W) or (H, W, C) array
         Sky is bright (above half of the range) or True. Any resolution of the upright picture.
     width_px, height_px : int, optional
-        Size of the full picture where the mask is smaller [pixels].
+        Size of the full picture, if the mask is smaller [pixels].
 
     Returns
     -------
     SkylineEvidence
-        Per column the first change from sky to not-sky from the top down; columns without one are flat.
+        The boundary of a column is its first change from sky to not-sky from the top down; columns without one are
+        flat.
 
     Raises
     ------
@@ -46,7 +47,7 @@ def evidence_from_mask(mask, width_px=None, height_px=None):
     sky = sky[..., :3].max(2) if sky.ndim == 3 else sky
     sky = sky if sky.dtype == bool else sky > (np.iinfo(sky.dtype).max if sky.dtype.kind in "ui" else 1.0) / 2
     height, width = sky.shape
-    # A row of ground below the picture keeps a one-row mask valid; it is no change of the picture's own.
+    # The additional row keeps a one-row mask valid; it never holds a change.
     change = np.vstack([sky[:-1] & ~sky[1:], np.zeros((1, width), bool)])
     row_px = np.where(change.any(0), change.argmax(0) + 1.0, np.nan)
     return _evidence_from_rows(row_px, height, width_px or width, height_px or height, MASK_SIGMA_PX)
@@ -58,12 +59,13 @@ def evidence_from_line(x_px, row_px, width_px, height_px, sigma_px=None):
     Parameters
     ----------
     x_px, row_px : (N,) arrays
-        Vertices on the full upright picture, in order of x or not; straight between them [pixels].
+        Vertices on the full upright picture, in any order, joined by straight lines in order of x [pixels].
     width_px, height_px : int
         Size of the full picture [pixels].
     sigma_px : float, optional
-        Precision of the drawing [pixels of the full picture]. By default a 300th of the long side, as a hand draws;
-        but never coarser than the vertices lie apart, since who gives a row for every column means it so.
+        Precision of the drawing [pixels of the full picture]. By default it is a 300th of the long side, as for a line
+        drawn by hand, but never coarser than the spacing of the vertices, since a line with a row for every column is
+        meant to be exact.
 
     Returns
     -------
@@ -92,13 +94,13 @@ def evidence_from_line(x_px, row_px, width_px, height_px, sigma_px=None):
 
 
 def _drawing_sigma_px(x_px, long_side_px):
-    """Precision of a line by its vertices, in order of x [pixels]."""
+    """Precision of a line from the spacing of its vertices, which are in order of x [pixels]."""
     spacing = float(np.median(np.diff(x_px)))
     return min(max(spacing, TRACE_SIGMA_PX), long_side_px / HAND_SHARE)
 
 
 def _reduction(width_px, height_px):
-    """Factor to the size at which extracted evidence comes too."""
+    """Scale factor to the size of extracted evidence."""
     return min(1.0, SkylineOptions.work_px / max(width_px, height_px))
 
 
@@ -110,7 +112,7 @@ def _evidence_from_rows(row_px, rows_height, width_px, height_px, sigma):
     width, height = max(1, round(width_px * scale)), max(2, round(height_px * scale))
     centre = (np.arange(width) + 0.5) * (len(row_px) / width) - 0.5
     known = np.isfinite(row_px)
-    # The rows of first terrain pixels are edges, which scale without the half pixel that centres have.
+    # The rows of first terrain pixels are edges, which scale without the half-pixel offset of pixel centres.
     line = np.interp(centre, np.flatnonzero(known), row_px[known]) * (height / rows_height)
     known = known[np.clip(np.rint(centre).astype(int), 0, len(row_px) - 1)]
     distance = (np.arange(height)[:, None] - line) / sigma

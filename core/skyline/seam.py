@@ -1,6 +1,6 @@
-"""The skyline as a chain along the columns: the best line, and how likely each row is.
+"""Treat the skyline as a chain along the columns: find the best line, and the probability of each row.
 
-Both walks run from column to column over an (H, W) array of log-scores; a step of several rows costs more than a
+Both algorithms run from column to column over an (H, W) array of log-scores; a step of several rows costs more than a
 small one. References: Viterbi 1967, doi 10.1109/TIT.1967.1054010; forward-backward, Rabiner 1989,
 doi 10.1109/5.18626.
 """
@@ -16,13 +16,14 @@ def best_line(score, cost_per_px, reach_px=10, cap_px=8):
     Parameters
     ----------
     score : (H, W) array
-        Of "the boundary of this column lies at this row".
+        Score of "the boundary of this column lies at this row".
     cost_per_px : float
-        Price of a step of one row between neighbouring columns.
+        Cost of a step of one row between neighbouring columns.
     reach_px : int
         Largest step [rows].
     cap_px : int
-        Steps beyond this cost no more than this one: a summit's flank is no worse than steep [rows].
+        Larger steps cost no more than this one, so that a very steep flank of a summit costs no more than a steep one
+        [rows].
 
     Returns
     -------
@@ -76,13 +77,13 @@ def row_marginals(log_score, cost_per_px, jump_share, reach_px=14):
     backward = _walk(own[::-1], kernel, jump_share)[::-1]
     both = forward * backward / np.maximum(own, 1e-30)
     total = both.sum(1, keepdims=True)
-    # Where the two directions exclude one another nothing is known beyond the column itself.
+    # If the two directions exclude each other, nothing is known of this column's row.
     both = np.where(total > 0, both / np.where(total > 0, total, 1), 1 / height)
     return both.T
 
 
 def _walk(own, kernel, jump_share):
-    """Pass belief from the first column to the last; (W, H) in, (W, H) out, rows normalised."""
+    """Pass probabilities from the first column to the last; (W, H) in, (W, H) out, rows normalised."""
     width, height = own.shape
     reach = len(kernel) // 2
     belief = np.empty_like(own)
