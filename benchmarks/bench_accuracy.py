@@ -1,9 +1,9 @@
-"""Accuracy on photographs of known heading: `make bench-accuracy DATA=folder [METHOD=..] [COMPASS=..]`.
+"""Measure the accuracy on photographs of known heading: `make bench-accuracy DATA=folder [METHOD=..] [COMPASS=..]`.
 
 `folder/truth.csv` has the columns photo, group, latitude_deg, longitude_deg, heading_deg, pitch_deg, roll_deg and
-optionally height_orthometric_m, given_hfov_deg, focal_length_35mm (an empty cell: from EXIF or the DEM);
-`folder/photos/` the pictures and `folder/dem/` one raster. Positions come from EXIF where present, else from the
-table. The run goes through `core.batch`, as the algorithms do, and writes `build/accuracy.json`.
+optionally height_orthometric_m, given_hfov_deg, focal_length_35mm (for an empty cell the value comes from EXIF or the
+DEM). `folder/photos/` holds the pictures and `folder/dem/` one raster. Positions come from EXIF if present, otherwise
+from the table. The benchmark uses `core.batch`, as the algorithms do, and writes `build/accuracy.json`.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def main(arguments=None):
 
 
 def measure(folder, method="robust", compass="ignore", eye="dem", beside_paper=True):
-    """Orient every photograph of a folder, print, and return rows and summaries."""
+    """Orient every photograph of a folder, print the results, and return rows and summaries."""
     dem = open_dem(str(dem_of(folder)))
     options = OrientOptions(method=method, compass=compass)
     caches = HorizonCache(), HorizonCache()
@@ -64,7 +64,7 @@ def measure(folder, method="robust", compass="ignore", eye="dem", beside_paper=T
 
 
 def dem_of(folder):
-    """The raster in folder/dem."""
+    """Path of the raster in folder/dem."""
     found = sorted(p for p in (Path(folder) / "dem").iterdir() if p.suffix.lower() in RASTERS)
     if len(found) != 1:
         sys.exit(f"{folder}/dem must hold exactly one raster, not {len(found)}")
@@ -72,7 +72,7 @@ def dem_of(folder):
 
 
 def read_truth(folder):
-    """Rows of truth.csv; numbers as floats, empty cells as None."""
+    """Read the rows of truth.csv; numbers as floats, empty cells as None."""
     with open(Path(folder) / "truth.csv", newline="", encoding="utf-8-sig") as file:
         for line in csv.DictReader(file):
             yield {key: _number(value) if key not in ("photo", "group") else value for key, value in line.items()}
@@ -86,7 +86,7 @@ def _number(text):
 
 
 def request_of(folder, line, eye="dem"):
-    """What the table knows about one photograph."""
+    """Build the request for one photograph from its row of the table."""
     return PhotoRequest(
         str(Path(folder) / "photos" / line["photo"]),
         longitude_deg=line.get("longitude_deg"),
@@ -99,7 +99,7 @@ def request_of(folder, line, eye="dem"):
 
 
 def result_row(line, oriented):
-    """One photograph's answer beside its truth."""
+    """Combine the answer for one photograph with its truth."""
     answer, best = oriented.orientation, oriented.orientation.best
     truth = line.get("heading_deg")
     compass = oriented.compass_true_deg
@@ -134,7 +134,7 @@ def _error(found, truth):
 
 
 def line_of(row):
-    """One printed line."""
+    """Format one result as a line of text."""
 
     def show(value, form="7.2f"):
         return " " * (int(form.split(".")[0]) - 1) + "-" if value is None else format(value, form)
@@ -151,7 +151,7 @@ def line_of(row):
 
 
 def summarise(rows):
-    """Counts within the limits, medians, statuses and risk against coverage."""
+    """Compute counts within the limits, medians, statuses and risk against coverage."""
     known = [row for row in rows if row["truth_deg"] is not None]
     summary = {"all": _counts(known, "error_deg")}
     for group in sorted({row["group"] for row in known}):
@@ -177,7 +177,7 @@ def _counts(rows, key):
 
 
 def risk_coverage(rows, limit_deg=3.0):
-    """Share of wrong answers among the surest 25, 50, 75 and 100 % by p_correct."""
+    """Share of wrong answers among the 25, 50, 75 and 100 % with the highest p_correct."""
     scored = sorted((row for row in rows if row["p_correct"] is not None), key=lambda row: -row["p_correct"])
     table = []
     for share in (0.25, 0.5, 0.75, 1.0):
@@ -188,7 +188,7 @@ def risk_coverage(rows, limit_deg=3.0):
 
 
 def print_summary(summary):
-    """The summary as a table."""
+    """Print the summary as a table."""
     for name, counts in summary.items():
         if isinstance(counts, list):
             print(f"{name}: " + ", ".join(f"{c['coverage']:.0%}: {c['wrong']} of {c['photos']} wrong" for c in counts))

@@ -1,15 +1,15 @@
-"""Monoplotting on simulated photographs: `make bench-monoplot [SCENES=60] [SEED=1]`.
+"""Measure monoplotting on simulated photographs: `make bench-monoplot [SCENES=60] [SEED=1]`.
 
 Each scene is rendered from procedural mountains with exact ground truth for every pixel. Pixels are then placed on
 the map twice:
 
-- *geometry*: with the true pose, position and DEM, which leaves the method's own error against the renderer;
-- *real life*: with pose, focal length, position and eye height drawn from `ERRORS`, and a DEM
-  that differs from the ground by smooth noise of 3 m. Error ellipses for 50, 68 and 90 % are asked how often they
-  hold the truth.
+- *geometry*: with the true pose, position and DEM, which leaves only the method's own error against the renderer;
+- *real life*: with pose, focal length, position and eye height drawn from `ERRORS`, and a DEM that differs from the
+  ground by smooth noise of 3 m. The benchmark counts how often the error ellipses for 50, 68 and 90 % contain the
+  truth.
 
-Reports median and 90 % ground error against distance and incidence angle, coverage of the ellipses, and the share of
-pixels that were warned of as lying at an edge. Writes `build/monoplot.json`.
+It reports the median and 90 % ground error against distance and incidence angle, the coverage of the ellipses, and the
+share of pixels flagged as lying at an edge. It writes `build/monoplot.json`.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ INCIDENCES_DEG = (0, 45, 60, 70, 80, 85, 90)
 COVERAGES = (0.5, 0.68, 0.9)
 PIXELS = 250
 ERRORS = PoseUncertainty(0.5, 0.2, 0.3, 0.01, 5.0, 2.0, 3.0)
-"""Of the published figures; the defaults for photographs of which less is known are larger."""
+"""Uncertainty of the published figures; the defaults are larger, for photographs of which less is known."""
 
 
 def main(arguments=None):
@@ -69,7 +69,7 @@ def mountains(seed):
 
 
 def measure(seed, index):
-    """Place the pixels of one scene; gives arrays per pixel."""
+    """Place the pixels of one scene; return arrays per pixel."""
     random = np.random.default_rng([seed, index])
     terrain = mountains(seed + index // 12)
     width = 480
@@ -88,7 +88,7 @@ def measure(seed, index):
 
 
 def geometry(terrain, observer, camera, pose, x, y, truth):
-    """Errors with everything known, and the way back to the pixel."""
+    """Compute the errors if everything is known, and project the places back to pixels."""
     view = open_view(terrain, PosedPhoto(camera, pose, observer), RANGE_M)
     placed = place_pixels(terrain, view, x, y, SightOptions(max_distance_m=RANGE_M))
     back = project_places(terrain, view, Places(placed.hits.east_m, placed.hits.north_m))
@@ -101,7 +101,7 @@ def geometry(terrain, observer, camera, pose, x, y, truth):
 
 
 def real_life(terrain, observer, camera, pose, x, y, truth, random):
-    """Errors and ellipses with a pose, position and DEM that are only known so well."""
+    """Compute errors and ellipses with an uncertain pose, position and DEM."""
     off = random.standard_normal(7) * ERRORS.sigmas
     noise = gaussian_filter(random.standard_normal(terrain.shape), 8.0)
     dem = replace(terrain, elevation_m=(terrain.elevation_m + noise * (ERRORS.dem_m / noise.std())).astype(np.float32))
@@ -134,7 +134,7 @@ def real_life(terrain, observer, camera, pose, x, y, truth, random):
 
 
 def summarise(pixels):
-    """Tables by distance and incidence, and coverage."""
+    """Compute tables by distance and incidence, and the coverage."""
     placed = pixels["on_ground"] & np.isfinite(pixels["major_m"])
     report = {
         "pixels": int(placed.size),
@@ -151,7 +151,7 @@ def summarise(pixels):
 
 
 def line(pixels, placed, key, low, high):
-    """One row of a table."""
+    """Compute one row of a table."""
     mine = placed & (pixels[key] >= low) & (pixels[key] < high)
     sure = mine & (pixels["p_other"] <= 0.05)
     return {
@@ -165,20 +165,20 @@ def line(pixels, placed, key, low, high):
 
 
 def coverage_of(pixels, mine):
-    """Share of the true places inside the ellipses, by their stated coverage."""
+    """Share of the true places inside the ellipses, for each stated coverage."""
     if not mine.any():
         return None
     return {str(c): float(pixels[f"inside_{round(100 * c)}"][mine].mean()) for c in COVERAGES}
 
 
 def quantiles(values):
-    """(median, 90 %) of the known values."""
+    """Return the median and the 90 % quantile of the known values."""
     values = values[np.isfinite(values)]
     return [float(v) for v in np.quantile(values, (0.5, 0.9))] if values.size else None
 
 
 def table(report):
-    """Write the report for a terminal."""
+    """Format the report for a terminal."""
 
     def pair(values):
         return f"{values[0]:8.1f} /{values[1]:8.1f}" if values else f"{'-':>18}"

@@ -1,9 +1,9 @@
-"""Accuracy and calibration on simulated photographs: `make bench-simulated [COUNT=240] [SEED=1] [JOBS=1]`.
+"""Measure accuracy and calibration on simulated photographs: `make bench-simulated [COUNT=240] [SEED=1] [JOBS=1]`.
 
-Each case is a real JPEG with EXIF, read and oriented through `core.batch` as the algorithms do it. Levels: perfect
+Each case is a real JPEG with EXIF, read and oriented through `core.batch`, as the algorithms do. The levels are perfect
 (true skyline, the matcher's own DEM), exact (clear weather, ordinary lenses, the matcher's own DEM), clean (the same
-scenes on mountains finer than the DEM), full (clouds, haze, snow, trees, noise,
-fields of view from 4 to 75 degrees, roll to 8 degrees, GPS error to 30 m). Writes `build/simulated.json`.
+scenes on mountains finer than the DEM) and full (clouds, haze, snow, trees, noise, fields of view from 4 to 75 degrees,
+roll up to 8 degrees, GPS error up to 30 m). The benchmark writes `build/simulated.json`.
 
 `--dump folder` writes photographs and their truth instead (`truth.csv`, `truth.jsonl`, `rows/*.npz` with
 `skyline_row_px` and `skyline_visible` per column), for fitting and calibration.
@@ -77,8 +77,8 @@ def _map(work, tasks, jobs):
 
 
 def measure(task):
-    """Take, write, read, orient one photograph; give its row."""
-    # Not above: --dump serves those who rework the stages and must run while these do not.
+    """Render, write, read and orient one photograph; return its row."""
+    # Imported here and not above: --dump must run even while the stages are being reworked and do not run.
     from skyline_viewshed.core.batch import PhotoRequest, orient_request
 
     seed, index, level, paths, long_side = task
@@ -115,7 +115,7 @@ def line_of(row):
 
 
 def summarise(rows):
-    """Accuracy and calibration, overall per level and by difficulty within the full level."""
+    """Compute accuracy and calibration, overall per level and by difficulty within the full level."""
     summary = {level: accuracy([r for r in rows if r["group"] == level]) for level in LEVELS}
     full = [r for r in rows if r["group"] == "full"]
     by = {}
@@ -130,7 +130,7 @@ def summarise(rows):
 
 
 def accuracy(rows):
-    """Counts within the limits, status, and coverage of the 90 % interval."""
+    """Compute counts within the limits, statuses, and coverage of the 90 % interval."""
     if not rows:
         return {"photos": 0}
     error = np.array([np.inf if r["error_deg"] is None else abs(r["error_deg"]) for r in rows])
@@ -150,7 +150,7 @@ def accuracy(rows):
 
 
 def reliability(rows):
-    """Promised against kept: rows of p_correct bins with their share within 3 degrees."""
+    """Compare predicted and observed correctness: bins of p_correct with their share within 3 degrees."""
     known = [r for r in rows if r["p_correct"] is not None and r["error_deg"] is not None]
     table = []
     for low, high in zip(BINS, BINS[1:]):
@@ -184,7 +184,7 @@ def print_summary(summary):
 
 
 def dump(folder, count, seed, paths, levels, long_side, jobs=1):
-    """Write photographs with their truth: a training or calibration set."""
+    """Write photographs with their truth, as a training or calibration set."""
     for name in ("photos", "rows"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     tasks = []

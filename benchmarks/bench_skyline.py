@@ -1,10 +1,10 @@
-"""Skylines against hand-made masks: median vertical error per photograph, ours and the paper's.
+"""Compare skylines with hand-made masks: median vertical error per photograph, ours and the paper's.
 
     make bench-skyline DATA=folder        folder/images, folder/masks (white is mountain)
 
 Only columns whose mask has an upper edge count. Trees and cars against the sky are black in such masks, so the
-median of an image's columns is reported, not the mean. Pictures that the weights were fitted with
-(`benchmarks/skyline_folds.json`) are scored with a fit that never saw them. Writes build/skyline.json.
+median of an image's columns is reported, not the mean. Pictures that the weights were fitted to
+(`benchmarks/skyline_folds.json`) are scored with a fit that excluded them. The benchmark writes build/skyline.json.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ METHODS = ("robust", "paper")
 
 
 def mask_rows(path):
-    """First mountain row per column, NaN where the mask has none, and the mask's height [pixels]."""
+    """First mountain row per column, NaN if the mask has none, and the mask's height [pixels]."""
     mask = np.asarray(Image.open(path).convert("L")) > 127
     row = np.where(mask.any(0), mask.argmax(0), np.nan)
-    # Specks at a mask's lower edge are no skyline.
+    # Specks at the lower edge of a mask are not a skyline.
     return np.where(row < 0.97 * len(mask), row, np.nan), len(mask)
 
 
 def skyline_rows(pixels, method, weights, width, height):
-    """First terrain row at each of `width` columns, of a picture `height` rows high, and the CPU seconds."""
+    """First terrain row in each of `width` columns of a picture `height` rows high, and the CPU time [s]."""
     start = time.process_time()
     try:
         if method == "paper":
@@ -44,19 +44,19 @@ def skyline_rows(pixels, method, weights, width, height):
         return np.full(width, np.nan), time.process_time() - start
     spent = time.process_time() - start
     columns = (np.arange(width) + 0.5) * found.width_px / width - 0.5
-    # Rows of first terrain pixels are edges, which scale without the half pixel that centres have.
+    # Rows of first terrain pixels are edges, which scale without the half-pixel offset of pixel centres.
     return np.interp(columns, np.arange(found.width_px), found.row_px) * height / found.height_px, spent
 
 
 def held_out_weights():
-    """Map a picture's name to the weights that never saw it."""
+    """Map the name of each picture to the weights of the fit that excluded it."""
     path = ROOT / "benchmarks" / "skyline_folds.json"
     folds = json.loads(path.read_text(encoding="utf-8"))["folds"] if path.exists() else []
     return {name: fold["weights"] for fold in folds for name in fold["held_out"]}
 
 
 def measure(image, mask, weights):
-    """Errors of both methods on one picture."""
+    """Measure the errors of both methods on one picture."""
     truth, height = mask_rows(mask)
     pixels = np.asarray(Image.open(image).convert("RGB"))
     result = {"image": image.name, "height_px": height, "cross_validated": weights is not None}
@@ -75,7 +75,7 @@ def measure(image, mask, weights):
 
 
 def summary(results, method):
-    """One method's figures over all pictures."""
+    """Compute the figures of one method over all pictures."""
     pick = {key: np.array([r[method][key] for r in results]) for key in results[0][method]}
     return {
         "images": len(results),
@@ -90,7 +90,7 @@ def summary(results, method):
 
 
 def line_of(method, figures):
-    """One method's figures in a sentence."""
+    """Format the figures of one method as a sentence."""
     return (
         f"{method:7}median of medians {figures['median_of_medians_px']:.1f} px, mean "
         f"{figures['mean_of_medians_px']:.1f}, worst {figures['worst_median_px']:.1f}; images below 1 % of the height "

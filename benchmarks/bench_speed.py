@@ -1,9 +1,9 @@
-"""Horizon and viewshed against their peers: speed, memory, accuracy.
+"""Compare horizon and viewshed with other programs: speed, memory, accuracy.
 
 Usage: python benchmarks/bench_speed.py [--quick] [--only WORD]
-    Prints a table and writes build/speed.json. Paired runs: ours and the peer's by turns, medians of times, memory
-    and pairwise ratios; three pairs, and nine where they are short. --quick takes a third of them; --only runs the
-    steps whose name contains WORD and leaves the other figures of the file as they are.
+    Prints a table and writes build/speed.json. Runs are paired: ours and the other program's alternate, and the medians
+    of times, memory and pairwise ratios are reported; three pairs, or nine if they are short. --quick makes a third of
+    them; --only runs the steps whose name contains WORD and leaves the other figures of the file unchanged.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ RADIUS_M = {"A": 14_496.0, "B": 85_440.0, "C": 12_180.0}
 WEDGE_DEG = 221.0, 281.0
 DROP = (6 / 7) / (2 * 6_371_000.0)
 SHORT_S = 1.5
-"""Pairs of runs that are shorter than this are repeated three times as often: other work moves them most."""
+"""Pairs of runs that are shorter than this are repeated three times as often, since other load affects them most."""
 
 
 class Scene:
-    """A benchmark DEM and its observer: the highest cell of the middle quarter, on the cell's centre."""
+    """Benchmark DEM and its observer, at the centre of the highest cell of the middle quarter."""
 
     def __init__(self, name, path):
         self.name, self.path, self.radius_m = name, path, RADIUS_M[name]
@@ -52,11 +52,11 @@ class Scene:
         self.eye_m = float(cells.max()) + 1.7
 
     def output(self, name):
-        """Path for a result."""
+        """Path of an output file."""
         return str(BUILD / "speed" / f"{self.name}_{name}")
 
     def in_memory(self):
-        """Terrain whose cells are in memory already, with the file's true frame."""
+        """Return the terrain with its cells in memory and the true frame of the file."""
         cells, dem = self.dem.read(Window(0, 0, *self.dem.shape)), self.dem
 
         class Memory(Terrain):
@@ -72,13 +72,13 @@ class Scene:
 
 
 class Bench:
-    """Runs the figures and collects their rows."""
+    """Collection of measured figures as rows of a table."""
 
     def __init__(self, pairs):
         self.pairs, self.rows = pairs, []
 
     def row(self, figure, ours, peer, at_least, aim, memory_mb=None, note="", ratio=None, largest=True):
-        """Add a result: `at_least` and `aim` bound `ours` (or the ratio, where there is one) from above or below."""
+        """Add a result; `at_least` and `aim` bound `ours` (or the ratio, if there is one) from above or below."""
         judged = ours if ratio is None else ratio
         meets = judged <= at_least if largest else judged >= at_least
         self.rows.append(
@@ -90,7 +90,7 @@ class Bench:
         print(_line(self.rows[-1]), flush=True)
 
     def missing(self, figure, at_least, aim, why):
-        """Add a row whose peer cannot be had."""
+        """Add a row whose peer program is not available."""
         self.rows.append(
             {
                 "figure": figure, "ours": None, "peer": None, "ratio": None, "memory_mb": None,
@@ -100,7 +100,7 @@ class Bench:
         print(_line(self.rows[-1]), flush=True)
 
     def paired(self, figure, ours, peer, at_least, aim, memory=None, pairs=None):
-        """Time ours and the peer by turns; judge wall time, and memory in a row of its own where bounds are given."""
+        """Time ours and the peer alternately; judge wall time, and memory in a row of its own if bounds are given."""
         try:
             runs = [(ours(), peer()) for _ in range(pairs or self.pairs)]
             if pairs is None and max(run.wall_s for run in runs[0]) < SHORT_S:
@@ -122,7 +122,7 @@ class Bench:
 
 
 def horizon_in_memory(bench, scene, seconds, rms_deg):
-    """Compute time of 3,600 azimuths, and error against dense sampling of every tenth azimuth."""
+    """Measure the computing time of 3,600 azimuths, and the error against dense sampling of every tenth azimuth."""
     terrain, cells = scene.in_memory()
     options = HorizonOptions(max_distance_m=scene.radius_m, refraction_coefficient=1 / 7)
     walls, times = [], []
@@ -131,10 +131,10 @@ def horizon_in_memory(bench, scene, seconds, rms_deg):
         profile = horizon_profile(terrain, scene.observer, options)
         times.append(time.process_time() - start)
         walls.append(time.perf_counter() - wall)
-    # One thread: on an idle machine both are the same, on a shared one only processor time tells of the code.
+    # One thread: on an idle machine wall and processor time agree; on a shared one only processor time is meaningful.
     note = f"processor time; wall {statistics.median(walls):.2f} s"
     bench.row(f"horizon in memory, {scene.name}, s", statistics.median(times), None, seconds, seconds / 2, note=note)
-    # On the plane grid of the DEM, as the reference knows no CRS: grid azimuths and grid distances for both.
+    # Both use the plane grid of the DEM (grid azimuths and grid distances), since the reference has no CRS.
     plain = ArrayTerrain(cells, scene.cell_m)
     observer = Observer(*plain.position_of(scene.col, scene.row), 1.7, scene.eye_m)
     profile = horizon_profile(plain, observer, options)
@@ -185,7 +185,7 @@ def circle_end_to_end(bench, scene, grass=None):
 
 
 def accuracy(bench, scene, count=20_000):
-    """Agreement with both exact references, ours and GDAL's, on the same random cells."""
+    """Measure the agreement of ours and GDAL's with both exact references on the same random cells."""
     _, cells = scene.in_memory()
     plain = ArrayTerrain(cells, scene.cell_m)
     observer = Observer(*plain.position_of(scene.col, scene.row), 1.7)
@@ -227,7 +227,7 @@ def _on_grid(scene, raster):
 
 
 def holes(bench):
-    """Cells in range that are not evaluated: over a plane without curvature everything must be seen."""
+    """Count cells in range that are not evaluated: over a plane without curvature every cell must be visible."""
     side, cell_m = 4001, 10.0
     plain = ArrayTerrain(np.zeros((side, side), np.float32), cell_m)
     observer = Observer(*plain.position_of(1999.6, 2000.3), 1.7)
@@ -240,7 +240,7 @@ def holes(bench):
 
 
 def memory(bench, scene_a):
-    """Whole processes: a window's bytes x 1.25 + 150 MB, and a DEM of 40,000 x 40,000 cells."""
+    """Measure whole processes against a window's bytes x 1.25 + 150 MB, and on a DEM of 40,000 x 40,000 cells."""
     place = scene_a.path, scene_a.x, scene_a.y, scene_a.radius_m
     window_mb = (2 * scene_a.radius_m / scene_a.cell_m) ** 2 * 4 / 2**20
     for task in ("horizon", "circle"):
@@ -260,7 +260,7 @@ def memory(bench, scene_a):
 
 
 def once(make):
-    """Make a peer when it is first needed, and remember it."""
+    """Create a peer when it is first needed, and keep it."""
     made = []
 
     def get():
@@ -272,7 +272,7 @@ def once(make):
 
 
 def _store(path, rows, keep):
-    """Write the rows; with `keep`, figures that were not run stay as they are."""
+    """Write the rows; if `keep`, figures that were not run stay unchanged."""
     old = json.loads(path.read_text()) if keep and path.exists() else []
     new = {row["figure"]: row for row in rows}
     merged = [new.pop(row["figure"], row) for row in old] + list(new.values())

@@ -1,13 +1,13 @@
-"""Views cut from real photographs: `make bench-views DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]`.
+"""Measure views cut from real photographs: `make bench-views DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]`.
 
-A photograph whose pose is known holds every narrower view from the same place, exactly: a turn of the camera is a
-homography. From each photograph of the group `good` in `folder/truth.csv` (see bench_accuracy.py) COUNT views are
-drawn at random: fields of view from a third of the photograph's, rolls to 8 degrees, pictures in four shapes, ridges
-that leave the frame, other exposure, veil, grain and JPEG, and a focal length that is off by 1.5 %. Real skies, snow
-and rock under new poses: harder than the photographs, and nearer to them than simulated ones. Views of one photograph
-are not independent of each other, and their truth is that of the photograph's own fit, moved to its known heading.
-With COMPASS=prior each view gets a compass with the spread and the faults that `core.match.prior` believes in. Writes
-`build/views.json`.
+A photograph whose pose is known contains every narrower view from the same place exactly, since a turn of the camera is
+a homography. From each photograph of the group `good` in `folder/truth.csv` (see bench_accuracy.py) COUNT views are
+drawn at random, with fields of view from a third of the photograph's, rolls up to 8 degrees, pictures in four shapes,
+ridges that leave the frame, changed exposure, veil, grain and JPEG, and a focal length that is off by 1.5 %. They show
+real skies, snow and rock under new poses: they are harder than the photographs, and closer to them than simulated ones.
+Views of one photograph are not independent of each other, and their truth is that of the photograph's own fit, moved to
+its known heading. With COMPASS=prior each view gets a compass heading with the spread and the faults that
+`core.match.prior` assumes. The benchmark writes `build/views.json`.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ SHAPES = (4 / 3, 3 / 2, 3 / 4, 16 / 9)
 ROLL_SIGMA_DEG, LARGEST_ROLL_DEG = 4.0, 8.0
 FOCAL_SIGMA = 0.015
 LEAST_SKYLINE = 0.6
-"""Share of the columns in which the horizon must lie inside the frame."""
+"""Smallest share of the columns in which the horizon must lie inside the frame."""
 TRIES = 400
 
 
@@ -95,7 +95,7 @@ def measure(folder, given):
         photo = read_photo(str(Path(folder) / "photos" / line["photo"]), SOURCE_PX)
         inner = inner_terrain(dem, observer, options.inner)
         for number in range(given.count):
-            # Each view of its own, so that a base pose of some hundredths of a degree more or less changes few of them.
+            # Each view has its own generator, so that a change of the base pose by hundredths of a degree affects few.
             generator = np.random.default_rng([given.seed, number, *line["photo"].encode()])
             drawn = draw_view(base, generator)
             if drawn is None:
@@ -121,7 +121,7 @@ def measure(folder, given):
 
 
 def draw_view(base, generator):
-    """A camera and pose whose picture lies inside the photograph and shows its horizon; None where none is found."""
+    """Draw a camera and pose whose picture lies inside the photograph and shows its horizon; None if none is found."""
     best = base.orientation.best
     azimuth = np.arange(0, 360, 0.05)
     elevation = np.interp(azimuth, base.horizon.azimuth_deg, base.horizon.elevation_deg, period=360)
@@ -156,7 +156,7 @@ def _skyline_share(camera, pose, azimuth_deg, elevation_deg):
 
 
 def view_of(pixels, base, camera, pose):
-    """What the photograph shows in another camera and pose, (H, W, 3) float32."""
+    """Resample the photograph to another camera and pose, (H, W, 3) float32."""
     height, width = pixels.shape[:2]
     best = base.orientation.best
     x, y = np.meshgrid(np.arange(camera.width_px, dtype=float), np.arange(camera.height_px, dtype=float))
@@ -167,7 +167,7 @@ def view_of(pixels, base, camera, pose):
 
 
 def spoil(picture, generator):
-    """Other exposure and contrast, a veil over a third of the pictures, grain and JPEG; uint8."""
+    """Change exposure and contrast, put a veil over a third of the pictures, add grain and JPEG artefacts; uint8."""
     picture = 255 * np.clip(picture / 255 * generator.uniform(0.7, 1.25), 0, 1) ** generator.uniform(0.8, 1.25)
     if generator.random() < 1 / 3:
         veil = generator.uniform(0.3, 0.7)
@@ -178,7 +178,7 @@ def spoil(picture, generator):
 
 
 def read_compass(heading_deg, generator, options=CompassOptions()):  # noqa: B008 - frozen
-    """A compass as phones have them: the core's spread, quarter and half turns, and readings that say nothing."""
+    """Draw the reading of a phone's compass: the core's spread, quarter and half turns, and useless readings."""
     quarter, half = options.quarter_turn_share, options.half_turn_share
     chance = generator.random()
     if chance < options.outlier_share:
@@ -189,7 +189,7 @@ def read_compass(heading_deg, generator, options=CompassOptions()):  # noqa: B00
 
 
 def row_of(folder, line, number, camera, pose, heading_deg, answer, cpu_s):
-    """One view's answer beside its truth."""
+    """Combine the answer for one view with its truth."""
     best, covered = answer.best, None
     if best is not None and answer.heading_lo_deg is not None:
         covered = bool(
@@ -211,7 +211,7 @@ def row_of(folder, line, number, camera, pose, heading_deg, answer, cpu_s):
 
 
 def line_of(row):
-    """One printed line."""
+    """Format one result as a line of text."""
     error = "   none" if row["error_deg"] is None else f"{row['error_deg']:7.2f}"
     sure = "  - " if row["p_correct"] is None else f"{row['p_correct']:.2f}"
     return (

@@ -1,4 +1,4 @@
-"""Run the engine once, whole process, as `bench_speed` measures it: open the DEM, compute, write.
+"""Run the engine once as a whole process, as `bench_speed` measures it: open the DEM, compute, write.
 
 Usage: python engine_run.py horizon|circle|wedge|packed DEM X Y RADIUS_M OUTPUT [START_DEG END_DEG]
 """
@@ -15,8 +15,8 @@ REFRACTION = 1.0 / 7.0
 
 
 def horizon(dem, observer, radius_m, output):
-    """The horizon as a table."""
-    from skyline_viewshed.core.horizon.horizon import (  # each task imports its own, as in QGIS
+    """Compute the horizon and write it as a table."""
+    from skyline_viewshed.core.horizon.horizon import (  # each task imports only what it needs, as in QGIS
         HorizonOptions,
         horizon_profile,
     )
@@ -31,7 +31,7 @@ def horizon(dem, observer, radius_m, output):
 
 
 def ground(dem, observer, radius_m, output, wedge, packed):
-    """The viewshed as a raster; packed: more cells than fit into the memory cap as bytes, not written."""
+    """Compute the viewshed as a raster; packed, it has more cells than fit into memory as bytes, and is not written."""
     from skyline_viewshed.core.base.viewed import ArraySink
     from skyline_viewshed.core.io.write_raster import RasterLayout, write_raster
     from skyline_viewshed.core.viewshed.viewshed import (

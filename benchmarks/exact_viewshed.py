@@ -1,8 +1,8 @@
-"""Two exact references for viewshed and horizon, vectorised but with nothing of the engine's method.
+"""Compute two exact references for viewshed and horizon, vectorised but independent of the engine's method.
 
-*crossings* (R3): the sight line to each target is tested at every line of cell centres that it crosses, linear between
-the two cells beside the crossing. *bilinear* (BIL): the bilinear surface, sampled every tenth of a cell.
-Plane grid, square cells, observer on a cell's centre or between.
+*crossings* (R3) tests the sight line to each target at every line of cell centres that it crosses, with linear
+interpolation between the two cells beside the crossing. *bilinear* (BIL) samples the bilinear surface every tenth of a
+cell. The grid is plane, its cells are square, and the observer may stand on a cell's centre or between centres.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 
 
 def bilinear(z, row, col):
-    """Bilinear elevation at positions inside the grid of cell centres."""
+    """Interpolate the elevation bilinearly at positions inside the grid of cell centres."""
     r, c = np.minimum(row.astype(np.int64), z.shape[0] - 2), np.minimum(col.astype(np.int64), z.shape[1] - 2)
     fr, fc = row - r, col - c
     width, flat = z.shape[1], z.reshape(-1)
@@ -22,7 +22,7 @@ def bilinear(z, row, col):
 
 
 def sees(z, cell_m, eye_rc, eye_m, targets_rc, drop_per_m2, model="crossings", near=1.0, batch=2_000_000):
-    """Whether each target cell (N, 2) is seen from the eye."""
+    """Whether each target cell (N, 2) is visible from the eye."""
     z = z.astype(np.float64, copy=False)
     seen = np.zeros(len(targets_rc), bool)
     delta = targets_rc - np.asarray(eye_rc)
@@ -53,7 +53,7 @@ def _sees(z, cell_m, eye_rc, eye_m, delta, span, drop, model, near):
 
 
 def _crossings(eye_rc, delta):
-    """(N, K) shares of the way at grid lines; those outside (0, 1) count for nothing."""
+    """Fractions (N, K) of the way at which grid lines are crossed; those outside (0, 1) are ignored."""
     parts = []
     for axis in (0, 1):
         start, step = eye_rc[axis], delta[:, axis : axis + 1]

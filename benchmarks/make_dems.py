@@ -1,7 +1,7 @@
 """Make the benchmark's elevation models from a seed: ridged mountains, float32 GeoTIFF in EPSG:32606.
 
 Usage: python benchmarks/make_dems.py build/dems [A B C AZ]
-    A   15001 x 15001 cells of 2 m (900 MB), AZ the same as a DEFLATE-compressed, tiled file with overviews
+    A   15001 x 15001 cells of 2 m (900 MB); AZ is the same as a DEFLATE-compressed, tiled file with overviews
     B   6001 x 6001 cells of 30 m
     C   1001 x 1001 cells of 30 m
 """
@@ -20,14 +20,14 @@ CASES = {"A": (15001, 2.0, 2550.0, 1), "B": (6001, 30.0, 3260.0, 2), "C": (1001,
 
 CENTRE = (500_000.0, 6_800_000.0)
 LONGEST_M, EXPONENT = 11_000.0, 2.2
-"""Longest wavelength of the relief [m], and fall of the amplitudes with frequency."""
+"""Longest wavelength of the relief [m], and exponent of the decrease of amplitude with frequency."""
 
 COARSE = 4096
-"""Spectral synthesis up to this size; finer detail is added in tiles, so that A needs no 4 GB transform."""
+"""Largest spectral synthesis [cells]; finer detail is added in tiles, so that A needs no 4 GB transform."""
 
 
 def fractal(size, exponent, longest_cells, rng):
-    """Periodic random field of unit variance: power-law spectrum below a longest wavelength, flat above it."""
+    """Make a periodic random field of unit variance: power-law spectrum below a longest wavelength, flat above it."""
     frequency = np.fft.rfftfreq(size)[None, :] ** 2 + np.fft.fftfreq(size)[:, None] ** 2
     amplitude = np.maximum(frequency, 1.0 / longest_cells**2) ** (-exponent / 2)
     amplitude[0, 0] = 0.0
@@ -37,7 +37,7 @@ def fractal(size, exponent, longest_cells, rng):
 
 
 def mountains(size, relief_m, cell_m, seed):
-    """Elevations (size, size) float32 [m]."""
+    """Make elevations (size, size) float32 [m]."""
     rng = np.random.default_rng(seed)
     base = min(size, COARSE)
     longest = LONGEST_M / cell_m * base / size

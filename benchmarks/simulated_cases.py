@@ -1,7 +1,7 @@
-"""Seeded simulated photographs with exact truth: what `bench_simulated.py` measures and calibration learns from.
+"""Make simulated photographs with exact truth from a seed, for `bench_simulated.py` and for the calibration.
 
-A case is drawn from (seed, index, level) alone and always comes out the same. The camera sees a finer mountain than
-the matcher's DEM holds, stands a little off its recorded position, and its EXIF focal length is a little wrong.
+A case depends on (seed, index, level) alone and is always the same. The camera sees a finer mountain than the matcher's
+DEM contains, stands a little off its recorded position, and its EXIF focal length is slightly wrong.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2}
 LEVELS = tuple(SEEDS)
 """perfect: the true skyline, drawn from the matcher's own DEM at the true position; exact: clear weather, ordinary
-lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: everything."""
+lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: all of it."""
 
 REAL_DEMS = (
     "khumbu/dem/khumbu.tif",
@@ -50,7 +50,7 @@ PROCEDURAL = (
 
 @dataclass(frozen=True)
 class Case:
-    """One photograph to be taken, and what its file will say."""
+    """One photograph to be rendered, and the metadata of its file."""
 
     name: str
     level: str
@@ -72,7 +72,7 @@ class Case:
 
 
 def data_folder():
-    """Folder of the shared real data, or None."""
+    """Folder of the shared real data, or None if there is none."""
     for folder in (os.environ.get("SKYLINE_DATA"), ROOT.parent / "shared" / "data"):
         if folder and Path(folder).is_dir():
             return Path(folder)
@@ -80,7 +80,7 @@ def data_folder():
 
 
 def dem_paths(work):
-    """Real DEMs where they are at hand, and procedural ones, made once in `work`."""
+    """Paths of the real DEMs that are available, and of procedural ones, made once in `work`."""
     paths = []
     for index, options in enumerate(PROCEDURAL):
         path = Path(work) / f"mountains_{index}.tif"
@@ -107,7 +107,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     """Draw one case; deterministic in all arguments."""
     generator = np.random.Generator(np.random.PCG64([seed, index, SEEDS[level]]))
     clear, own_dem = level in ("exact", "clean"), level in ("perfect", "exact")
-    # Procedural and real mountains alternate, whatever is at hand.
+    # Procedural and real mountains alternate, whichever are available.
     path = paths[int(generator.random() * len(paths))]
     dem = dem_of(path)
     cell_m = dem.frame(*map(float, dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)), 2_000.0).cell_m
@@ -140,7 +140,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
 
 
 def terrain_of(path, factor, seed, strength):
-    """The mountain that the camera sees."""
+    """Make the mountain that the camera sees."""
     dem = dem_of(path)
     return dem if factor == 1 else DetailedTerrain(dem, factor, seed, strength, sharpening=0.5)
 
@@ -199,7 +199,7 @@ def take(case, folder, quality=88) -> tuple[str, RenderedView]:
 
 
 def truth_row(case, view):
-    """Truth and conditions of a case as plain values."""
+    """Return the truth and conditions of a case as plain values."""
     row = view.skyline_row_px
     known = np.isfinite(row)
     hidden = known & ~view.skyline_visible

@@ -1,4 +1,4 @@
-"""The engine's peers: where they are, how they are installed, and how a whole process is timed."""
+"""Find, install and run the programs that the engine is compared with, and time whole processes."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 CURVATURE = str(6 / 7)
-"""GDAL's curvature coefficient: 1 - k for k = 1/7, which r.viewshed takes as refraction coefficient."""
+"""GDAL's curvature coefficient: 1 - k for k = 1/7, which r.viewshed uses as its refraction coefficient."""
 
 
 class PeerMissingError(Exception):
-    """A peer cannot be had; the message says why."""
+    """A peer program is not available; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Run:
-    """One finished process: wall time and processor time [s], largest resident memory of it and its children [MB]."""
+    """Finished process: wall and processor time [s], and largest resident memory of it and its children [MB]."""
 
     wall_s: float
     cpu_s: float
@@ -35,12 +35,12 @@ _, status, usage = os.wait4(pid, 0)
 wall = time.perf_counter() - start
 print(json.dumps([os.waitstatus_to_exitcode(status), wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024]))
 """
-"""A small process between us and the one to be measured: a child counts its parent's memory as its own until it has
-started, and ours may be large."""
+"""Small process between this one and the one to be measured: a child counts its parent's memory as its own until it has
+started, and this process may be large."""
 
 
 def timed(command, **options):
-    """Run a command to its end and measure it; raises `PeerMissingError` with its last words where it fails."""
+    """Run a command to its end and measure it; raise `PeerMissingError` with the end of its output if it fails."""
     words = [sys.executable, "-S", "-c", LAUNCHER, *(str(word) for word in command)]
     done = subprocess.run(words, capture_output=True, text=True, check=False, **options)
     last = done.stdout.strip().splitlines()[-1:]
@@ -60,7 +60,7 @@ def engine(*arguments):
 
 
 def gdal_viewshed(dem, x, y, radius_m, output):
-    """Run GDAL's command line viewshed, which always looks around the whole circle."""
+    """Run GDAL's command line viewshed, which always covers the full circle."""
     if shutil.which("gdal_viewshed") is None:
         raise PeerMissingError("gdal_viewshed is not installed (package gdal-bin)")
     remove(output)
@@ -69,7 +69,7 @@ def gdal_viewshed(dem, x, y, radius_m, output):
 
 
 class NewerGdal:
-    """A GDAL with its own wedge, bundled in a wheel, in an environment of its own."""
+    """Newer GDAL, which can limit a viewshed to a wedge; bundled in a wheel, in its own environment."""
 
     def __init__(self, folder):
         folder = Path(folder)
@@ -88,7 +88,7 @@ class NewerGdal:
         self.version = version
 
     def wedge(self, dem, x, y, radius_m, start_deg, end_deg, output):
-        """Look into a wedge, clockwise from start to end."""
+        """Compute the viewshed of a wedge, clockwise from start to end."""
         words = ["--position", f"{x},{y},1.7", "--target-height", 0, "--max-distance", radius_m]
         words += ["--curvature-coefficient", CURVATURE, "--start-angle", start_deg, "--end-angle", end_deg]
         script = Path(__file__).with_name("gdal_wheel_run.py")
@@ -96,7 +96,7 @@ class NewerGdal:
 
 
 class Grass:
-    """GRASS GIS in a location of its own, with the DEMs linked."""
+    """GRASS GIS in its own location, with the DEMs linked."""
 
     def __init__(self, folder):
         if shutil.which("grass") is None:
@@ -115,20 +115,20 @@ class Grass:
         return location / "PERMANENT"
 
     def horizon(self, dem, x, y, radius_m, output):
-        """3,600 azimuths from one place; r.horizon knows neither eye height nor refraction."""
+        """Compute 3,600 azimuths from one place; r.horizon has neither eye height nor refraction."""
         words = ["r.horizon", "-d", "elevation=dem", f"coordinates={x},{y}", "step=0.1", "start=0", "end=360"]
         words += [f"maxdistance={radius_m}", "distance=1.0", f"file={output}", "--overwrite"]
         return timed(["grass", self._mapset(dem), "--exec", *words])
 
     def viewshed(self, dem, x, y, radius_m):
-        """Look around the whole circle."""
+        """Compute the viewshed of the full circle."""
         words = ["r.viewshed", "-b", "-c", "-r", "input=dem", "output=seen", f"coordinates={x},{y}", "--overwrite"]
         words += ["observer_elevation=1.7", "target_elevation=0", f"max_distance={radius_m}"]
         return timed(["grass", self._mapset(dem), "--exec", *words, f"refraction_coeff={1 / 7}", "memory=4000"])
 
 
 def remove(path):
-    """Delete a file where it exists."""
+    """Delete a file if it exists."""
     if os.path.exists(path):
         os.remove(path)
 

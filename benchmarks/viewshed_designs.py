@@ -1,7 +1,7 @@
-"""Designs for the full circle, side by side: processor time on B, agreement with the exact references on C.
+"""Compare designs for the full circle: processor time on B, agreement with the exact references on C.
 
 Usage: python benchmarks/viewshed_designs.py
-    Prints the table of docs/performance.md. Only the sweep is part of the plugin; the others live here.
+    Prints the table of docs/performance.md. Only the sweep is part of the plugin; the other designs exist only here.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from skyline_viewshed.core.viewshed.viewshed import ViewshedOptions, viewshed
 
 
 def sweep(cells, scene, rays_per_cell=1.0):
-    """The plugin's own, with or without dropping hidden blocks."""
+    """Run the plugin's own sweep, which drops hidden blocks."""
     plain = ArrayTerrain(cells, scene.cell_m)
     observer = Observer(*plain.position_of(scene.col, scene.row), 1.7)
     options = ViewshedOptions(max_distance_m=scene.radius_m, refraction_coefficient=1 / 7, rays_per_cell=rays_per_cell)
@@ -33,14 +33,14 @@ def sweep(cells, scene, rays_per_cell=1.0):
 
 
 def sweep_everything(cells, scene):
-    """The same sweep without bounds: every ray is sampled on every line."""
+    """Run the same sweep without bounds, so that every ray is sampled on every line."""
     everything = lambda values, first, last: np.full(len(first), -np.inf, np.float32)  # noqa: E731
     with mock.patch.object(viewshed_blocks, "range_minimum", everything):
         return sweep(cells, scene)
 
 
 def rings(cells, scene):
-    """Ring vectorisation (XDraw): a cell's limit is interpolated from the line before, again and again."""
+    """Run ring vectorisation (XDraw): the limit of a cell is interpolated from the previous line, at every line."""
     seen, reach = np.zeros(cells.shape, bool), int(scene.radius_m / scene.cell_m)
     seen[scene.row, scene.col] = True
     for turn in range(4):
