@@ -1,11 +1,11 @@
-"""Hold the plugin's zip to the rules of the QGIS plugin site, then run it from an empty profile.
+"""Check the plugin's zip against the rules of the QGIS plugin site, then run it from an empty profile.
 
 Usage: check_package.py ZIP [--no-run]
 
 The rules are those of the site's upload check (validator.py) and of its security scan (bandit, detect-secrets,
-suspicious files), read in qgis/QGIS-Plugins-Website in 2026. One thing needs a network and is left to a person: the
-three addresses in metadata.txt must answer. The run uses the system's Python and QGIS alone, without the packages of
-.venv.
+suspicious files), as found in qgis/QGIS-Plugins-Website in 2026. One check needs a network and is left to a person: the
+three addresses in metadata.txt must be reachable. The run uses the system's Python and QGIS alone, without the packages
+of .venv.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ NEEDED = ("LICENSE", "__init__.py", "plugin.py", "metadata.txt", "requirements.t
 
 
 def problems_of_names(archive):
-    """Rules about what lies in the zip and how it is called; one sentence for each breach."""
+    """Check the contents and names of the zip; return one sentence per violation."""
     names = archive.namelist()
     found = []
     tops = {name.split("/")[0] for name in names}
@@ -63,10 +63,10 @@ def problems_of_names(archive):
 
 
 def problems_of_metadata(archive, top):
-    """Rules about metadata.txt; one sentence for each breach."""
+    """Check metadata.txt; return one sentence per violation."""
     if f"{top}/metadata.txt" not in archive.namelist():
         return []
-    parser = configparser.ConfigParser()  # with interpolation, as on the site: a lone % is an error there
+    parser = configparser.ConfigParser()  # with interpolation, as on the site, where a lone % is an error
     parser.optionxform = str
     try:
         parser.read_string(codecs.decode(archive.read(f"{top}/metadata.txt"), "utf8"))
@@ -94,17 +94,17 @@ def problems_of_metadata(archive, top):
 
 
 def problems_of_zip(path):
-    """All rules that need the zip alone.
+    """Check all rules that need only the zip.
 
     Parameters
     ----------
     path : path
-        The zip.
+        Path of the zip.
 
     Returns
     -------
     list of str
-        A sentence for each breach; empty where the site would take it.
+        One sentence per violation; empty if the site would accept the zip.
     """
     found = []
     if os.path.getsize(path) > MAX_BYTES:
@@ -125,7 +125,7 @@ def problems_of_zip(path):
 
 
 def scan(folder):
-    """Run the site's security scan over the unpacked zip; gives a sentence for each finding."""
+    """Run the site's security scan over the unpacked zip; return one sentence per finding."""
     module = [sys.executable, "-m"]
     found = []
     for options in (["-t", BLOCKING_BANDIT], ["-ll"]):
@@ -146,7 +146,7 @@ def scan(folder):
 
 
 def run_from_empty_profile(zip_path, scratch):
-    """Install the zip into an empty profile and run the demo there; gives a sentence where it fails."""
+    """Install the zip into an empty profile and run the demo there; return a sentence if it fails."""
     plugins = scratch / "profile" / "profiles" / "default" / "python" / "plugins"
     plugins.mkdir(parents=True)
     with zipfile.ZipFile(zip_path) as archive:
@@ -165,7 +165,7 @@ def run_from_empty_profile(zip_path, scratch):
         "OMP_NUM_THREADS": "1",
         "OPENBLAS_NUM_THREADS": "1",
     }
-    # Debian's wrapper of 3.22 hands qgis_process an option that it refuses.
+    # Debian's wrapper of 3.22 passes qgis_process an option that it does not accept.
     program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
     if program is None:
         return ["qgis_process is not installed: the zip could not be run."]
@@ -196,7 +196,7 @@ def run_from_empty_profile(zip_path, scratch):
 
 
 def main():
-    """Check, say what is wrong, and give a return code."""
+    """Check, print what is wrong, and return an exit code."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("zip", type=Path)
     arguments.add_argument("--no-run", action="store_true", help="leave out the run from an empty profile")

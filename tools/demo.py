@@ -2,7 +2,7 @@
 
 Usage: demo.py OUT [--photos FOLDER --dem RASTER]
 
-Without photographs and DEM it makes a small simulated sample first. `make demo` calls it with everything in place.
+Without photographs and a DEM, it makes a small simulated sample first. `make demo` calls it with everything in place.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MAP_CELLS = 1400
 
 
 def main():
-    """Make the demo."""
+    """Run the demo."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("out", type=Path)
     arguments.add_argument("--photos", type=Path)
@@ -40,7 +40,7 @@ def main():
 
 
 def sample(folder):
-    """Simulated photographs and their DEM; made once."""
+    """Make simulated photographs and their DEM, once."""
     if not (folder / "truth.csv").exists():
         print("Making the sample: a mountain range and photographs of it ...", flush=True)
         subprocess.run([sys.executable, ROOT / "tools" / "make_sample.py", folder], check=True)
@@ -49,7 +49,7 @@ def sample(folder):
 
 
 def run(photos, dem, out):
-    """Orient the photographs and compute what they show; gives the paths of the outputs."""
+    """Orient the photographs and compute what they show; return the paths of the outputs."""
     results = {"points": out / "skyline.gpkg", "viewshed": out / "viewshed.tif", "report": out / "report.html"}
     for path in [*results.values(), *(out / "figures").glob("*.png")]:
         path.unlink(missing_ok=True)
@@ -76,7 +76,7 @@ def run(photos, dem, out):
 
 
 def oriented_points(path):
-    """Attributes of the oriented photographs, by file name."""
+    """Read the attributes of the oriented photographs, by file name."""
     from osgeo import ogr
 
     source = ogr.Open(str(path))
@@ -84,7 +84,7 @@ def oriented_points(path):
 
 
 def draw_map(results, dem_path, target):
-    """Shaded relief with cameras and the ground they show."""
+    """Draw a shaded relief with the cameras and the ground in their photographs."""
     from osgeo import gdal, ogr
     from skyline_viewshed.core.base.terrain import Window
     from skyline_viewshed.core.figures.ground import GroundMapOptions, SeenGround, ground_map
@@ -118,7 +118,7 @@ def draw_map(results, dem_path, target):
 
 
 def table(results, photos):
-    """Print found headings, beside the true ones where they are known."""
+    """Print the headings found, beside the true ones if they are known."""
     truth_path = photos.parent / "truth.csv"
     truth = {}
     if truth_path.exists():

@@ -1,12 +1,12 @@
-"""Fit the table that turns a fit's own quantities into a probability: `core/match/calibration.json`.
+"""Fit the table that turns the quantities of a fit into a probability: `core/match/calibration.json`.
 
     python tools/fit_calibration.py collect rows.jsonl --count 400 --seed 11
     python tools/fit_calibration.py fit rows.jsonl [--test other.jsonl] [--write]
 
-`collect` takes simulated photographs (benchmarks/simulated_cases.py, level 'full'), solves them blind and writes one
-line per photograph: features, errors and scores of all answers. `fit` fits a logistic regression with a small ridge
-penalty, prints how the probabilities hold on photographs that it has not seen (two-fold, or --test), and with
---write replaces the table.
+`collect` renders simulated photographs (benchmarks/simulated_cases.py, level 'full'), solves them without the truth and
+writes one line per photograph: features, errors and scores of all answers. `fit` fits a logistic regression with a
+small ridge penalty, prints the reliability of the probabilities on unseen photographs (two-fold, or --test), and with --write
+replaces the table.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def collect(path, count, seed):
 
 
 def _solve(path, dem):
-    """What the matcher finds, before it is judged; None where it refuses the picture."""
+    """Find the matcher's answers before they are judged; None if it rejects the picture."""
     from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
@@ -108,12 +108,12 @@ def _row(name, finding, error_deg):
 
 
 def read_rows(path):
-    """Rows as `collect` writes them."""
+    """Read rows as written by `collect`."""
     return [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines() if line.strip()]
 
 
 def study(rows, test, origin, write):
-    """Fit, print the check on unseen rows, and write the table where asked."""
+    """Fit, print the check on unseen rows, and write the table if requested."""
     if test:
         print_check("other photographs", probabilities(fit_table(rows), test), test)
     else:
@@ -129,7 +129,7 @@ def study(rows, test, origin, write):
 
 
 def fit_table(rows):
-    """Logistic regression, temperature and widening of the intervals."""
+    """Fit the logistic regression, the temperature and the widening of the intervals."""
     values = np.array([[row["features"][name] for name in USED] for row in rows])
     right = np.array([abs(row["error_deg"][0]) < RIGHT_DEG for row in rows])
     mean, spread = values.mean(axis=0), values.std(axis=0) + 1e-9
@@ -153,7 +153,7 @@ def fit_table(rows):
 
 
 def fit_temperature(rows):
-    """Temperature at which exp(T score) tells the right one among a photograph's answers with least surprise."""
+    """Fit the temperature T at which exp(T score) predicts the right one of a photograph's answers with least loss."""
 
     def surprise(temperature):
         total = 0.0
@@ -169,16 +169,16 @@ def fit_temperature(rows):
 
 
 def fit_sigma_factor(rows):
-    """Widening with which 90 % of the right headings lie within their 90 % interval, never below a floor.
+    """Fit the widening with which 90 % of the right headings lie within their 90 % interval, never below a floor.
 
-    The floor allows for what no simulated scene has: a truth, a DEM and a clock that are themselves a little wrong.
+    The floor allows for errors that no simulated scene has: those of the truth, the DEM and the clock.
     """
     ratio = [abs(r["error_deg"][0]) / r["sigma_deg"][0] for r in rows if abs(r["error_deg"][0]) < RIGHT_DEG]
     return round(max(float(np.percentile(ratio, 90)) / 1.645, LEAST_FACTOR), 3)
 
 
 def probabilities(table, rows):
-    """p_correct of rows by a table."""
+    """Compute p_correct of rows by a table."""
     total = np.full(len(rows), table["bias"])
     for name, entry in table["features"].items():
         value = np.array([row["features"][name] for row in rows])
@@ -189,7 +189,7 @@ def probabilities(table, rows):
 
 
 def print_check(name, probability, rows):
-    """Reliability and risk against coverage."""
+    """Print reliability, and risk against coverage."""
     right = np.array([abs(row["error_deg"][0]) < RIGHT_DEG for row in rows])
     print(f"{name}: {len(rows)} photographs, {right.mean():.0%} right")
     for low, high in ((0, 0.2), (0.2, 0.5), (0.5, 0.8), (0.8, 0.9), (0.9, 0.95), (0.95, 1.01)):

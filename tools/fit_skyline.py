@@ -2,18 +2,18 @@
 
     python tools/fit_skyline.py MASKS [--scenes 88] [--variants 4]
 
-MASKS holds `images` and `masks` (white is mountain). Simulated photographs come from `benchmarks/simulated_cases.py`
-and are kept in `build/skyline_teacher`. Each picture enters as it is and in a few variants (cropped so that the ridge
+MASKS contains `images` and `masks` (white is mountain). Simulated photographs come from `benchmarks/simulated_cases.py`
+and are kept in `build/skyline_teacher`. Each picture is used as it is and in a few variants (cropped so that the ridge
 leaves the frame, other aspect, exposure, haze, colour cast, grey, grain, JPEG), so that the weights do not learn the
-look of one camera. The colours enter as three rounds along the edges give them (`learn_sky`); the extraction learns
-them once more from its own first belief, which the masks show the same weights to serve. Maximised is, per column, the
-log of
+look of one camera. The colour features are those of three rounds along the edges (`learn_sky`). The extraction learns
+the colours once more from its own first result; the masks show that the same weights suit it then. The fit maximises,
+per column, the log of
 
     0.95 x (probability within a Gaussian of 1.2 rows around the true row) + 0.05 / rows
 
-with a ridge penalty on standardised weights. Writes `core/skyline/weights.json`, fitted to everything, and
-`benchmarks/skyline_folds.json`: five more fits, each without a fifth of the masked pictures, with which
-`bench_skyline.py` scores just those.
+with a ridge penalty on standardised weights. The tool writes `core/skyline/weights.json`, fitted to everything, and
+`benchmarks/skyline_folds.json`: five more fits, each without a fifth of the masked pictures, which `bench_skyline.py`
+uses to score that fifth.
 """
 
 from __future__ import annotations
@@ -43,17 +43,17 @@ SHAPES = ((384, 512), (341, 512), (512, 384), (384, 512), (288, 512))
 
 
 def masked_pictures(folder):
-    """Yield name, pixels and the first mountain row per column (NaN: none)."""
+    """Yield name, pixels and the first mountain row per column (NaN if none)."""
     for path in sorted((Path(folder) / "images").iterdir()):
         pixels = np.asarray(Image.open(path).convert("RGB"))
         mask = np.asarray(Image.open(Path(folder) / "masks" / path.name).convert("L")) > 127
         row = np.where(mask.any(0), mask.argmax(0), np.nan)
-        # Specks at a mask's lower edge are no skyline.
+        # Specks at the lower edge of a mask are not a skyline.
         yield path.name, pixels, np.where(row < 0.97 * len(mask), row, np.nan)
 
 
 def simulated_pictures(count, folder):
-    """Yield name, pixels and the first terrain row per column where it can be seen; rendered once, then kept."""
+    """Yield name, pixels and the first terrain row per column where it is visible; rendered once, then kept."""
     sys.path.insert(0, str(ROOT / "benchmarks"))
     from simulated_cases import dem_paths, draw_case, terrain_of
     from skyline_viewshed.core.simulate.render import render_view
@@ -77,7 +77,7 @@ def simulated_pictures(count, folder):
 
 
 def resample(pixels, row, height, width):
-    """Shrink a picture and its truth; (float32 picture, row per column)."""
+    """Shrink a picture and its truth; return the float32 picture and the row per column."""
     shape = min(height, pixels.shape[0]), min(width, pixels.shape[1])
     small = imaging.shrink(pixels, shape[1], shape[0])
     known = np.isfinite(row)
@@ -89,13 +89,13 @@ def resample(pixels, row, height, width):
 
 
 def whole(pixels, row):
-    """The picture as it is, at working size."""
+    """Return the picture unchanged, at working size."""
     factor = min(1.0, WORK_PX / max(pixels.shape[:2]))
     return resample(pixels, row, round(pixels.shape[0] * factor), round(pixels.shape[1] * factor))
 
 
 def variant(pixels, row, generator):
-    """Crop, squeeze, flip and spoil a picture at random."""
+    """Crop, squeeze, flip and degrade a picture at random."""
     height, width = pixels.shape[:2]
     crop_w, crop_h = int(width / generator.uniform(1, 1.8)), int(height / generator.uniform(1, 1.8))
     left = generator.integers(0, width - crop_w + 1)
@@ -116,7 +116,7 @@ def variant(pixels, row, generator):
 
 
 def _spoil(rgb, generator):
-    """Other exposure, contrast, white balance, saturation, haze, grain and compression."""
+    """Change exposure, contrast, white balance and saturation; add haze, grain and compression."""
     rgb = np.maximum(rgb, 0) ** np.exp(generator.normal(0, 0.25)) * np.exp(generator.normal(0, 0.15))
     rgb = rgb * np.exp(generator.normal(0, 0.04, 3))
     grey = rgb.mean(2, keepdims=True)
@@ -140,7 +140,7 @@ def _spoil(rgb, generator):
 
 
 def training_columns(small, rows, offset):
-    """Features (n, H, F) of every 16th column whose truth is known, their rows, and the features' names."""
+    """Features (n, H, F) of every 16th column whose truth is known, their rows, and the names of the features."""
     appearance = measure(small)
     features = boundary_features(appearance, learn_sky(appearance))
     columns = np.arange(offset % COLUMN_STEP, small.shape[1], COLUMN_STEP)
@@ -180,7 +180,7 @@ def column_loss(score, rows):
 
 
 def fit(pictures, start=None, iterations=80):
-    """Weights (F,) by L-BFGS; every picture counts the same."""
+    """Fit the weights (F,) by L-BFGS; every picture counts the same."""
     count = pictures[0][1].shape[2]
     variance = np.mean([features.reshape(-1, count).var(0) for _, features, _ in pictures], 0)
     scale = np.sqrt(variance) + 1e-6

@@ -1,10 +1,10 @@
-"""Write what the documentation takes from the code: the algorithm reference, the tables of fields.
+"""Write the parts of the documentation that come from the code: the algorithm reference and the tables of fields.
 
 Usage: make_docs.py [--check]
 
 `docs/algorithms.md` is written whole. In other pages the lines between `<!-- begin: NAME -->` and `<!-- end -->` are
-replaced. With --check nothing is written; the exit code is 1 where a page is not current. Nothing here depends on the
-wording of the running QGIS: types are named by our own words, and all other texts are the plugin's.
+replaced. With --check nothing is written, and the exit code is 1 if a page is out of date. Nothing here depends on the
+wording of the running QGIS: the names of types are defined here, and all other texts are the plugin's.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def main(arguments):
 
 
 def generated_pages():
-    """Text of each page that holds something generated, by path."""
+    """Return the text of each page with generated parts, by path."""
     provider, application = start_qgis()
     try:
         pages = {DOCS / "algorithms.md": reference(provider)}
@@ -117,10 +117,10 @@ def start_qgis():
 
 
 def reference(provider):
-    """The whole algorithm reference."""
+    """Compose the whole algorithm reference."""
     algorithms = {algorithm.name(): algorithm for algorithm in provider.algorithms()}
     ordered = [algorithms[name] for name in code_order() if name in algorithms]
-    # A model knows its outputs only once the algorithms it is made of are registered, so take fresh copies.
+    # A model has its outputs only once the algorithms it consists of are registered, so take new copies.
     models = [algorithms[name].create() for name in sorted(algorithms) if algorithms[name] not in ordered]
     lines = [
         *INTRODUCTION.splitlines(),
@@ -139,7 +139,7 @@ def reference(provider):
 
 
 def code_order():
-    """Identifiers in the order of the work, as the provider declares them."""
+    """Identifiers in the order of the workflow, as the provider declares them."""
     from skyline_viewshed.processing_provider.provider import ALGORITHMS
 
     for module, name in ALGORITHMS:
@@ -147,7 +147,7 @@ def code_order():
 
 
 def chapter(algorithm, paragraphs):
-    """Heading, help, inputs and outputs of one algorithm."""
+    """Compose heading, help, inputs and outputs of one algorithm."""
     lines = ["", f'<a id="{algorithm.name()}"></a>', "", f"## {algorithm.displayName()}", ""]
     lines += [f"`skylineviewshed:{algorithm.name()}`", ""]
     for paragraph in filter(None, paragraphs):
@@ -173,7 +173,7 @@ def chapter(algorithm, paragraphs):
 
 
 def row(definition):
-    """One input as a line of the table."""
+    """Format one input as a line of the table."""
     marks = [
         word for word, yes in (("*optional*", is_optional(definition)), ("*advanced*", is_advanced(definition))) if yes
     ]
@@ -185,14 +185,14 @@ def row(definition):
 
 
 def is_optional(definition):
-    """Tell whether a parameter may be left out."""
+    """Whether a parameter may be left out."""
     from qgis.core import QgsProcessingParameterDefinition as Definition
 
     return bool(definition.flags() & Definition.Flag.FlagOptional)
 
 
 def is_advanced(definition):
-    """Tell whether the dialog folds a parameter away."""
+    """Whether the dialog hides a parameter among the advanced ones."""
     from qgis.core import QgsProcessingParameterDefinition as Definition
 
     return bool(definition.flags() & Definition.Flag.FlagAdvanced)
@@ -219,7 +219,7 @@ def kind(definition):
 
 
 def limits(definition):
-    """Range of a number, where it has one."""
+    """Range of a number, if it has one."""
     low, high = definition.minimum(), definition.maximum()
     low, high = (value if abs(value) < 1e15 else None for value in (low, high))
     if low is not None and high is not None:
@@ -230,7 +230,7 @@ def limits(definition):
 
 
 def default(definition):
-    """Default value as it would be given on the command line."""
+    """Default value as it is written on the command line."""
     value = definition.defaultValue()
     if value is None or value == "" or (hasattr(value, "isNull") and value.isNull()):
         return ""
@@ -246,7 +246,7 @@ def model_help(model):
 
 
 def markdown(text):
-    """Our simple HTML of help texts as Markdown."""
+    """Convert the simple HTML of help texts to Markdown."""
     text = re.sub(r"</?b>", "**", text)
     text = re.sub(r"</?i>", "*", text)
     text = re.sub(r"</?(code|tt)>", "`", text)
@@ -255,7 +255,7 @@ def markdown(text):
 
 
 def cell(text):
-    """Text that is safe inside a table."""
+    """Make a text safe inside a table."""
     return markdown(str(text)).replace("|", "\\|").replace("\n", " ")
 
 
@@ -263,12 +263,12 @@ def cell(text):
 
 
 def field_blocks():
-    """Tables of fields by the `module.function` that defines them."""
+    """Return the tables of fields, by the `module.function` that defines them."""
     return {path: field_table(specs_of(path)) for path in spec_functions()}
 
 
 def spec_functions():
-    """`module.function` of each public function under algorithms/ that is called *_specs and takes no argument."""
+    """List `module.function` of each public function under algorithms/ named *_specs that takes no argument."""
     for path in sorted((ROOT / "algorithms").rglob("*.py")):
         for name in re.findall(r"^def (\w+_specs)\(\):", path.read_text(encoding="utf-8"), re.MULTILINE):
             if not name.startswith("_"):
@@ -276,14 +276,14 @@ def spec_functions():
 
 
 def specs_of(path):
-    """Specifications that `module.function` gives."""
+    """Return the specifications from `module.function`."""
     module, function = path.split(".")
     folder = "algorithms.shared" if (ROOT / "algorithms" / "shared" / f"{module}.py").exists() else "algorithms"
     return getattr(import_module(f"skyline_viewshed.{folder}.{module}"), function)()
 
 
 def field_table(specs):
-    """Names, types and aliases."""
+    """Format names, types and aliases as a table."""
     words = {
         "text": "text",
         "real": "decimal number",

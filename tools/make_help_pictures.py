@@ -1,4 +1,4 @@
-"""Draw the small pictures in the algorithms' help from the demo's sample: icons/help/*.jpg. Run after `make demo`."""
+"""Draw the small pictures in the algorithms' help, icons/help/*.jpg, from the demo's sample; run after `make demo`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ RED, BLUE, WHITE = (228, 87, 46), (40, 120, 200), (255, 255, 255)
 
 
 def main():
-    """Draw all."""
+    """Draw all pictures."""
     dem = open_dem(str(next((SAMPLE / "dem").glob("*.tif"))))
     photo = orient_request(PhotoRequest(str(SAMPLE / "photos" / PHOTO)), dem)
     OUT.mkdir(parents=True, exist_ok=True)
@@ -57,12 +57,12 @@ def save(name, pixels):
 
 
 def empty(photo):
-    """Its orientation without an answer."""
+    """Return the photo's orientation without an answer."""
     return replace(photo.orientation, candidates=())
 
 
 def offsets(photo):
-    """Two skylines and the pairs between them."""
+    """Draw two skylines and the pairs between them."""
     pixels = resized(photo.preview, WIDTH_PX, round(WIDTH_PX * 3 / 4)).copy()
     scale = WIDTH_PX / len(photo.skyline.row_px)
     x, y = np.arange(len(photo.skyline.row_px)) * scale, np.asarray(photo.skyline.row_px) * scale
@@ -78,7 +78,7 @@ def offsets(photo):
 
 
 def profile(photo):
-    """The horizon's elevation angle all around."""
+    """Draw the elevation angle of the horizon over the full circle."""
     height = 170
     pixels = np.full((height, WIDTH_PX, 3), 246, np.uint8)
     horizon = photo.horizon
@@ -94,7 +94,7 @@ def profile(photo):
 
 
 def ground(photo, dem):
-    """Map of what the photo shows, cut to it."""
+    """Draw a map cut to the ground in the photo."""
     observer = Observer(photo.longitude_deg, photo.latitude_deg, eye_elevation_m=photo.eye_elevation_m)
     pose = photo.orientation.best.pose
     found = viewshed(dem, observer, PhotoFrame(photo.camera, pose), ViewshedOptions(max_distance_m=14_000))
@@ -103,7 +103,7 @@ def ground(photo, dem):
 
 
 def stations(dem):
-    """Map of where the photographs were taken."""
+    """Draw a map of the places where the photographs were taken."""
     with open(SAMPLE / "truth.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     eyes = []

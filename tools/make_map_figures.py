@@ -1,6 +1,6 @@
-"""Make the figures of docs/photo-to-map.md, and of the algorithms' help, from what its commands leave behind.
+"""Make the figures of docs/photo-to-map.md, and of the algorithms' help, from the outputs of that page's commands.
 
-PYTHONPATH=build/plugins python tools/make_map_figures.py
+Usage: PYTHONPATH=build/plugins python tools/make_map_figures.py
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ DEM = ROOT / "build" / "demo" / "sample" / "dem" / "mountains.tif"
 EXTENT = (-6700.0, 5000.0, -3700.0, 8200.0)
 """West, south, east, north of the map, around the camera and the front [m in the DEM's CRS]."""
 WIDE = (-10_500.0, 4500.0, 4500.0, 14_300.0)
-"""The same for all that both photographs show."""
+"""The same for everything that both photographs show."""
 WIDTH_PX, HELP_PX = 640, 420
 
 
@@ -51,7 +51,7 @@ def help_picture(name, pixels):
 
 
 def found():
-    """The photograph with the place that was asked for."""
+    """Draw the photograph with the requested place."""
     pixels = np.array(Image.open(ROOT / "build" / "demo" / "sample" / "photos" / "midday.jpg").convert("RGB"))
     turn = np.linspace(0, 2 * np.pi, 60)
     draw_line(pixels, 198 + 42 * np.cos(turn), 865 + 42 * np.sin(turn), (217, 72, 15), 7, LineStyle(casing_px=2))
@@ -59,14 +59,14 @@ def found():
 
 
 def save(image, name):
-    """Write a figure of at most 640 pixels and 160 colours: pages stay light."""
+    """Write a figure of at most 640 pixels and 160 colours, so that pages stay small."""
     image.thumbnail((640, 640))
     image.quantize(160, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(IMAGES / name, optimize=True)
     print(name, (IMAGES / name).stat().st_size // 1024, "kB")
 
 
 def ground(extent, layer):
-    """Hillshade with the draped photographs or the counts over it, and the cell's size [m]."""
+    """Draw a hillshade with the draped photographs or the counts over it; also return the size of its cells [m]."""
     west, south, east, north = extent
     height = round(WIDTH_PX * (north - south) / (east - west))
     warp = {"outputBounds": extent, "width": WIDTH_PX, "height": height, "format": "MEM"}
@@ -86,7 +86,7 @@ def ground(extent, layer):
 
 
 def with_front(pixels, cell, extent):
-    """Front, error ellipse and camera on a map."""
+    """Draw front, error ellipse and camera on a map."""
 
     def place(x, y):
         return (np.asarray(x) - extent[0]) / cell - 0.5, (extent[3] - np.asarray(y)) / cell - 0.5
@@ -100,7 +100,7 @@ def with_front(pixels, cell, extent):
 
 
 def chains(layer):
-    """Vertices of each line or outer ring of a layer."""
+    """Read the vertices of each line or outer ring of a layer."""
     data = ogr.Open(str(RUN / f"{layer}.gpkg"))
     found = []
     features = data.GetLayer()
@@ -117,7 +117,7 @@ def chains(layer):
 
 
 def camera():
-    """Place of the midday photo in the DEM's CRS."""
+    """Position of the midday photo in the DEM's CRS."""
     from skyline_viewshed.core.io.raster import open_dem
 
     data = ogr.Open(str(RUN / "oriented.gpkg"))

@@ -66,26 +66,26 @@ def main():
 
 
 def single(layer, symbol):
-    """One symbol for all."""
+    """Use one symbol for all features."""
     layer.setRenderer(QgsSingleSymbolRenderer(symbol))
     return layer
 
 
 def by_state(layer, symbol_of):
-    """A colour for each state."""
+    """Use one colour for each state."""
     categories = [QgsRendererCategory(state, symbol_of(colour), label) for state, (colour, label) in STATES.items()]
     layer.setRenderer(QgsCategorizedSymbolRenderer("state", categories))
     return layer
 
 
 def state_line(colour):
-    """Whole for what is visible, dashed for the rest."""
+    """Make a line that is solid if visible, and dashed otherwise."""
     style = "solid" if colour == ORANGE else "dash"
     return QgsLineSymbol.createSimple({"line_color": colour, "line_width": "0.7", "line_style": style})
 
 
 def by_distance(layer):
-    """Near ridges dark and strong, far ones pale, as the panorama draws them."""
+    """Draw near ridges dark and strong and far ones pale, as in the panorama."""
     renderer = QgsGraduatedSymbolRenderer("dist_med")
     renderer.setSourceSymbol(QgsLineSymbol.createSimple({"line_width": "0.5"}))
     for low, high in ((0, 1000), (1000, 3000), (3000, 10_000), (10_000, 30_000), (30_000, 500_000)):
@@ -96,7 +96,7 @@ def by_distance(layer):
 
 
 def labelled(layer, field):
-    """Words beside the points, with a white edge."""
+    """Put labels beside the points, with a white edge."""
     text, edge = QgsTextFormat(), QgsTextBufferSettings()
     text.setSize(8)
     text.setColor(QColor(INK))

@@ -50,7 +50,7 @@ def main():
 
 
 def geotagged_photos():
-    """QGIS's own import, orientation, viewshed."""
+    """Build the model of QGIS's own import, orientation and viewshed."""
     text = "Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show."
     model = new_model("geotaggedphotos", text)
     add_input(model, folder(), 0)
@@ -78,7 +78,7 @@ def geotagged_photos():
 
 
 def compass_viewsheds():
-    """Headings as recorded by the cameras, no solving."""
+    """Build the model that uses the headings recorded by the cameras, without orientation."""
     text = (
         "Uses the headings that the cameras recorded, and computes the ground within the horizontal field of "
         "view. Phone compasses are often wrong by 5 to 10 degrees or more."
@@ -115,7 +115,7 @@ def compass_viewsheds():
 
 
 def viewshed_landcover():
-    """Cells of each land-cover class within what each photo shows."""
+    """Build the model that counts the cells of each land-cover class in the ground that each photo shows."""
     text = (
         "Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows."
     )
@@ -152,24 +152,24 @@ def viewshed_landcover():
 
 
 def new_model(name, text):
-    """Start an empty model with its help."""
+    """Create an empty model with its help."""
     model = QgsProcessingModelAlgorithm(name, "Models", "models")
     model.setHelpContent({"ALG_DESC": text, "ALG_CREATOR": "The Skyline Viewshed team"})
     return model
 
 
 def folder():
-    """Folder of photographs."""
+    """Define the folder of photographs."""
     return QgsProcessingParameterFile("FOLDER", "Folder of photographs", QgsProcessingParameterFile.Behavior.Folder)
 
 
 def dem():
-    """Elevation model."""
+    """Define the elevation model."""
     return QgsProcessingParameterRasterLayer("DEM", "Elevation model (DEM)")
 
 
 def distance():
-    """Range of the viewshed."""
+    """Define the range of the viewshed."""
     parameter = QgsProcessingParameterDistance("MAX_DISTANCE", "Maximum distance (m)", 30000.0, None, False, 1.0)
     parameter.setDefaultUnit(QgsUnitTypes.DistanceUnit.DistanceMeters)
     return parameter
@@ -210,17 +210,17 @@ def add_step(model, step, algorithm, parameters, place, outputs=None):
 
 
 def given(name):
-    """Value: an input of the model."""
+    """Take the value from an input of the model."""
     return SOURCE.fromModelParameter(name)
 
 
 def result(step, output):
-    """Value: what an earlier step made."""
+    """Take the value from the output of an earlier step."""
     return SOURCE.fromChildOutput(step, output)
 
 
 def fixed(value):
-    """Value: a constant."""
+    """Use a constant as the value."""
     return SOURCE.fromStaticValue(value)
 
 

@@ -1,4 +1,4 @@
-"""Build the styles of rasters with PyQGIS: styles/viewshed.qml, seen.qml, layers.qml, and so on."""
+"""Build the styles of rasters with PyQGIS: styles/viewshed.qml, seen.qml, layers.qml and others."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ COUNTS = (
     (10, "#8e24aa", "6 to 10 photos"),
     (65534, "#311b92", "more than 10 photos"),
 )
-"""Photographs that see a cell: unseen ground transparent, then from yellow to dark red."""
+"""Number of photographs that see a cell: unseen ground is transparent, then from yellow to dark red."""
 
 SEEN = ((0, "#00ffffff", "not seen"), (1, "#ffc400", "seen"))
-"""One photograph's own raster."""
+"""Visibility in the raster of one photograph."""
 
 CLEARANCES = (
     (-200, "#14213d", "hidden, 200 m or more too low"),
@@ -43,7 +43,7 @@ CLEARANCES = (
     (10, "#ff8f00", "seen, 10 m to spare"),
     (100, "#d81b60", "seen, 100 m or more to spare"),
 )
-"""Height above the line of sight [m]: the sharp step lies between what is hidden and what is seen."""
+"""Height above the line of sight [m]; the sharp step lies between hidden and visible ground."""
 
 PROBABILITIES = (
     (0.0, "#00ffffff", "0"),
@@ -61,7 +61,7 @@ SKY_VIEWS = (
     (0.9, "#bfe0ee", "0.9"),
     (1.0, "#fffde7", "1 (open sky)"),
 )
-"""Most ground sees more than half of the sky, so the upper half of the range has most of the colours."""
+"""Sky view factor. Most ground sees more than half of the sky, so the upper half of the range has most colours."""
 
 
 def main():
@@ -84,7 +84,7 @@ def main():
 
 
 def empty_raster(bands):
-    """Layer of as many bands as the style needs."""
+    """Create a layer with as many bands as the style needs."""
     from osgeo import gdal
 
     path = "/vsimem/style.tif"
@@ -93,13 +93,13 @@ def empty_raster(bands):
 
 
 def coloured(layer, stops, kind, band):
-    """Colours by value, each stop with its own words in the legend."""
+    """Colour by value; each stop has its own label in the legend."""
     ramp = QgsColorRampShader(stops[0][0], stops[-1][0], None, kind)
     items = [QgsColorRampShader.ColorRampItem(value, QColor(colour), label) for value, colour, label in stops]
     ramp.setColorRampItemList(items)
     if kind == SMOOTH:
         settings = QgsColorRampLegendNodeSettings()
-        settings.setUseContinuousLegend(False)  # else only the ends have words
+        settings.setUseContinuousLegend(False)  # otherwise only the ends have labels
         ramp.setLegendSettings(settings)
     shader = QgsRasterShader()
     shader.setRasterShaderFunction(ramp)

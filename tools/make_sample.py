@@ -2,8 +2,8 @@
 
     python tools/make_sample.py build/demo/sample [--seed 7]
 
-writes `dem/mountains.tif`, `photos/*.heic|jpg` and `truth.csv` (columns as the accuracy benchmark reads them). The
-camera sees a rougher mountain than the DEM holds, as in nature.
+This writes `dem/mountains.tif`, `photos/*.heic|jpg` and `truth.csv` (with the columns of the accuracy benchmark). The
+camera sees a rougher mountain than the DEM contains, as in nature.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def main(arguments=None):
 
 
 def make_sample(folder, seed=7):
-    """Write DEM, photographs and truth; give the rows of truth."""
+    """Write DEM, photographs and truth; return the rows of truth."""
     folder = Path(folder)
     for name in ("dem", "photos"):
         (folder / name).mkdir(parents=True, exist_ok=True)
@@ -71,7 +71,7 @@ def make_sample(folder, seed=7):
 
 
 def take(folder, dem, generator, shot, seed):
-    """Take one photograph from a random place with a view; give its row of truth."""
+    """Take one photograph from a random place with a view; return its row of truth."""
     name, width, height, f35, hours, weather = shot
     camera = Camera(width, height, focal_from_35mm_px(width, height, f35))
     mountain = DetailedTerrain(dem, 3, seed, strength=0.6)
@@ -107,7 +107,7 @@ def take(folder, dem, generator, shot, seed):
 
 
 def _write(folder, name, pixels, metadata):
-    """Write a photograph, as JPEG where HEIC cannot be written here."""
+    """Write a photograph, as JPEG if HEIC cannot be written here."""
     try:
         write_photo(str(folder / name), pixels, metadata, quality=90)
     except MissingPackageError:

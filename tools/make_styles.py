@@ -1,6 +1,6 @@
 """Build the styles of photo points, polygons and horizons with PyQGIS.
 
-So they hold what this script says, and nothing from anyone's desktop.
+Built this way, they contain only what this script sets, and nothing from anyone's desktop.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ CAMERA = (
     '<path d="M4 11 H8 L9.5 3 H14.5 L16 11 H20 A2 2 0 0 1 22 13 V20 A2 2 0 0 1 20 22 H4 A2 2 0 0 1 2 20 V13 '
     'A2 2 0 0 1 4 11 Z" fill="param(fill)" stroke="param(outline)" stroke-width="param(outline-width)"/></svg>'
 )
-"""A camera seen from above, lens to the north."""
+"""Symbol of a camera from above, with the lens to the north."""
 
 
 def main():
@@ -66,7 +66,7 @@ def main():
 
 
 def vector_layer(kind, fields):
-    """Empty memory layer with our fields."""
+    """Create an empty memory layer with the plugin's fields."""
     layer = QgsVectorLayer(f"{kind}?crs=EPSG:4326", "style", "memory")
     layer.dataProvider().addAttributes(fields.toList())
     layer.updateFields()
@@ -74,14 +74,14 @@ def vector_layer(kind, fields):
 
 
 def save(layer, name):
-    """Write a layer's style."""
+    """Write the style of a layer."""
     path = ROOT / "styles" / f"{name}.qml"
     layer.saveNamedStyle(str(path))
     print(path.relative_to(ROOT))
 
 
 def camera_symbol(colour, heading):
-    """Field-of-view wedge under a camera turned to the heading."""
+    """Build a field-of-view wedge under a camera turned to the heading."""
     symbol = QgsMarkerSymbol()
     path = "base64:" + base64.b64encode(CAMERA.encode()).decode()
     camera = QgsSvgMarkerSymbolLayer(path, 5.0)
@@ -97,7 +97,7 @@ def camera_symbol(colour, heading):
 
 
 def wedge(colour, heading):
-    """Sector of the field of view in millimetres on the map; there y runs downwards, which mirrors the azimuth."""
+    """Build the sector of the field of view in millimetres on the map; y runs downwards, so azimuth is mirrored."""
     expression = (
         f'if("{heading}" is null, null, wedge_buffer(centroid($geometry), 180 - "{heading}", '
         f'min(coalesce("hfov", 60), 359), {WEDGE_MM}))'
@@ -110,7 +110,7 @@ def wedge(colour, heading):
     sector = QgsSimpleFillSymbolLayer(fill)
     sector.setStrokeColor(QColor(colour))
     sector.setStrokeWidth(0.3)
-    # Without a feature there is no wedge: in the legend it would fill a box fifteen times the camera's size.
+    # Without a feature there is no wedge: in the legend it would fill a box fifteen times the size of the camera.
     for key, shown in (
         (QgsSymbolLayer.Property.PropertyFillColor, fill),
         (QgsSymbolLayer.Property.PropertyStrokeColor, QColor(colour)),
@@ -122,14 +122,14 @@ def wedge(colour, heading):
 
 
 def fill_symbol(symbol_layer):
-    """Symbol of one layer; made this way it owns the layer, which the constructor's list does not do from Python."""
+    """Build a symbol of one layer that owns the layer, unlike one built from a list in the constructor in Python."""
     symbol = QgsFillSymbol()
     symbol.changeSymbolLayer(0, symbol_layer)
     return symbol
 
 
 def oriented(layer):
-    """Oriented photos: coloured by status."""
+    """Style oriented photos: coloured by status."""
     categories = [
         QgsRendererCategory(status, camera_symbol(colour, "heading"), label)
         for status, (colour, label) in STATUS_COLOURS.items()
@@ -145,14 +145,14 @@ def oriented(layer):
 
 
 def photos(layer):
-    """Imported photos: the recorded heading."""
+    """Style imported photos: turned to the recorded heading."""
     layer.setRenderer(QgsSingleSymbolRenderer(camera_symbol("#2f6f9f", "direction")))
     layer.setMapTipTemplate(map_tip("[% coalesce('recorded ' || round(\"direction\", 1) || '°', '') %]"))
     return with_form(layer, "direction")
 
 
 def map_tip(words):
-    """Picture, name and some words."""
+    """Build a map tip of the picture, its name and some words."""
     photo = f'<img src="file:///[% {address(PHOTO)} %]" width="320"/>'
     return f"{photo}<br/>[% {plain(NAME)} %] {words}"
 
@@ -161,12 +161,12 @@ PHOTO, MESSAGE, NAME = '"photo"', '"message"', 'file_name("photo")'
 
 
 def plain(expression):
-    """Expression for a text in HTML: a file may be called like a tag."""
+    """Build an expression that escapes a text for HTML, since a file may be named like a tag."""
     return replaced(expression, (("&", "&amp;"), ("<", "&lt;"), ('"', "&quot;")))
 
 
 def address(expression):
-    """Expression for a path in a file's address."""
+    """Build an expression for a path in the URL of a file."""
     return plain(replaced(expression, (("\\\\", "/"), ("%", "%25"), ("#", "%23"), ("?", "%3F"))))
 
 
@@ -177,7 +177,7 @@ def replaced(expression, pairs):
 
 
 def with_form(layer, heading):
-    """Picture and heading in the attribute form."""
+    """Show the picture and the heading in the attribute form."""
     fields = layer.fields()
     viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 300, "DocumentViewerWidth": 0, "FileWidget": True,
               "FileWidgetButton": True, "StorageMode": 0, "RelativeStorage": 0}  # fmt: skip
@@ -189,7 +189,7 @@ def with_form(layer, heading):
 
 
 def polygons(layer):
-    """Ground in view: one hue per photo, outline stronger than fill."""
+    """Style the ground in view: one hue per photo, with the outline stronger than the fill."""
     fill = QgsSimpleFillSymbolLayer(QColor(230, 120, 30, 60))
     fill.setStrokeWidth(0.4)
     hue = '("source_id" * 137) % 360'
@@ -208,7 +208,7 @@ def polygons(layer):
 
 
 def horizon(layer):
-    """Points of the horizon, coloured by elevation angle."""
+    """Style the points of the horizon: coloured by elevation angle."""
     symbol = QgsMarkerSymbol.createSimple({"name": "circle", "size": "1.6", "outline_style": "no"})
     renderer = QgsGraduatedSymbolRenderer("elevation")
     renderer.setSourceSymbol(symbol)

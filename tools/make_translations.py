@@ -1,12 +1,12 @@
-"""Renew the catalogues `i18n/skyline_viewshed_*.ts` from the source and compile them.
+"""Update the catalogues `i18n/skyline_viewshed_*.ts` from the source and compile them.
 
 Usage: make_translations.py [--compile-only | --check]
 
-The source's strings are the literals inside `tr(...)` and `mark(...)` of the shell, inside the `say(...)` of the
-report and figures, and the templates of every `Message(...)`, whose facts are keywords. What a
-catalogue already translates stays; new strings come in as unfinished, strings that the source no longer has go. A
-translator edits the .ts files with Qt Linguist or by hand; the compiled .qm files are not kept in the repository,
-`make zip` adds them to the package.
+The strings of the source are the literals inside `tr(...)` and `mark(...)` of the shell, inside the `say(...)` of the
+report and figures, and the templates of every `Message(...)`, whose facts are keywords. Existing translations are kept;
+new strings are added as unfinished, and strings that are no longer in the source are removed. A translator edits the
+.ts files with Qt Linguist or by hand. The compiled .qm files are not kept in the repository; `make zip` adds them to
+the package.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ MARKERS = ("tr", "mark", "say", "Message")
 
 
 def source_strings(root=ROOT):
-    """Strings of the source in the order of files and lines.
+    """Collect the strings of the source in the order of files and lines.
 
     Returns
     -------
@@ -41,7 +41,7 @@ def source_strings(root=ROOT):
     Raises
     ------
     ValueError
-        Where one of them gets anything but a literal, which no catalogue could hold.
+        One of these calls has an argument that is not a literal, which no catalogue could contain.
     """
     found = {}
     for path in (path for pattern in SOURCES for path in sorted(root.glob(pattern))):
@@ -60,12 +60,12 @@ def source_strings(root=ROOT):
 
 
 def catalogue_path(language):
-    """Path of a language's catalogue."""
+    """Path of the catalogue of a language."""
     return CATALOGUES / f"skyline_viewshed_{language}.ts"
 
 
 def read_catalogue(path):
-    """Finished translations of a catalogue, by source string; empty where there is no file."""
+    """Read the finished translations of a catalogue, by source string; empty if there is no file."""
     if not path.exists():
         return {}
     messages = ElementTree.parse(path).getroot().iter("message")
@@ -94,7 +94,7 @@ def write_catalogue(path, language, strings, translations):
 
 
 def compile_catalogue(path, compiled=None):
-    """Compile a catalogue to .qm; gives its path."""
+    """Compile a catalogue to .qm; return its path."""
     program = shutil.which("lrelease") or shutil.which("lrelease-qt6")
     if program is None:
         raise SystemExit("lrelease is missing. On Debian or Ubuntu: apt-get install qttools5-dev-tools")
@@ -104,12 +104,12 @@ def compile_catalogue(path, compiled=None):
 
 
 def placeholders(text):
-    """Names in braces, numbers after a percent sign and HTML tags, sorted: what a translation must keep."""
+    """List names in braces, numbers after a percent sign and HTML tags, sorted; a translation must keep them."""
     return sorted(re.findall(r"\{[^{}]*\}|%\d|</?[a-z]+[^<>]*>", text))
 
 
 def faults(language, strings):
-    """Sentences about what is wrong in a catalogue: missing, obsolete, or placeholders that differ."""
+    """Describe the errors in a catalogue, one sentence each: missing, obsolete, or different placeholders."""
     translations = read_catalogue(catalogue_path(language))
     found = [f"{language}: not translated: {source}" for source in strings if source not in translations]
     found += [f"{language}: no longer in the source: {source}" for source in translations if source not in strings]
@@ -122,7 +122,7 @@ def faults(language, strings):
 
 
 def main():
-    """Renew, compile or check."""
+    """Update, compile or check the catalogues."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--compile-only", action="store_true", help="leave the .ts files as they are")
     arguments.add_argument("--check", action="store_true", help="say what is missing and change nothing")

@@ -1,10 +1,9 @@
-"""Measure what docs/accuracy.md claims, and write its tables: `make accuracy-page [DATA=../shared/data]`.
+"""Measure the figures in docs/accuracy.md, and write its tables: `make accuracy-page [DATA=../shared/data]`.
 
-Runs the accuracy benchmark on each folder of DATA that has a truth.csv, with and without the compass, into
-build/measured, then replaces the marked blocks of docs/accuracy.md. Blocks whose figures are not there stay as they
-are; build/simulated.json, build/skyline.json and build/views.json come from `make bench-simulated`, `make
-bench-skyline` and `make bench-views`. With
---write-only nothing is measured.
+The tool runs the accuracy benchmark on each folder of DATA that has a truth.csv, with and without the compass, into
+build/measured, then replaces the marked blocks of docs/accuracy.md. Blocks without figures stay unchanged;
+build/simulated.json, build/skyline.json and build/views.json come from `make bench-simulated`, `make bench-skyline` and
+`make bench-views`. With --write-only nothing is measured.
 """
 
 from __future__ import annotations
@@ -39,7 +38,7 @@ def main(arguments=None):
 
 
 def measure(data):
-    """Run the accuracy benchmark folder by folder."""
+    """Run the accuracy benchmark on each folder."""
     MEASURED.mkdir(parents=True, exist_ok=True)
     for folder in sorted(path.parent for path in data.glob("*/truth.csv")):
         for compass in COMPASS:
@@ -50,7 +49,7 @@ def measure(data):
 
 
 def tables():
-    """Text of each block whose figures are there."""
+    """Return the text of each block that has figures."""
     reports = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(MEASURED.glob("*.json"))}
     blocks = {}
     if reports:
@@ -64,20 +63,20 @@ def tables():
 
 
 def filled(text, blocks):
-    """Replace the blocks that are known."""
+    """Replace the given blocks of a text."""
     return BLOCK.sub(
         lambda m: m.group(1) + blocks[m.group(2)] + m.group(3) if m.group(2) in blocks else m.group(0), text
     )
 
 
 def table_of(head, rows):
-    """Lines of a Markdown table."""
+    """Return the lines of a Markdown table."""
     lines = [head, ["---"] * len(head), *rows]
     return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
 
 
 def real_table(reports):
-    """Counts of the good photographs per folder and use of the compass, beside the published method and the compass."""
+    """Tabulate the good photographs per folder and use of the compass, with the published method and the compass."""
     rows = []
     for name, report in reports.items():
         known = [p for p in report["photos"] if p["truth_deg"] is not None and p["group"] == "good"]
@@ -94,7 +93,7 @@ def real_table(reports):
 
 
 def counts(photos, key):
-    """Number, numbers within the limits, and median error."""
+    """Return the number of photographs, the numbers within the limits, and the median error."""
     errors = sorted(abs(photo[key]) for photo in photos if photo[key] is not None)
     within = [sum(error < float(limit[2:]) for error in errors) for limit in LIMITS]
     errors += [float("inf")] * (len(photos) - len(errors))
@@ -105,7 +104,7 @@ def counts(photos, key):
 
 
 def verdicts(photos):
-    """Accepted, accepted and wrong, intervals that hold the truth."""
+    """Count accepted answers, accepted wrong answers, and intervals that contain the truth."""
     accepted = [photo for photo in photos if photo["status"] == "accepted"]
     wrong = sum(abs(photo["error_deg"]) >= 3 for photo in accepted)
     covered = [photo["covered"] for photo in photos if photo["covered"] is not None]
@@ -113,7 +112,7 @@ def verdicts(photos):
 
 
 def photo_table(reports):
-    """Blind answers photo by photo."""
+    """Tabulate the answers without the compass, photo by photo."""
     rows = []
     for name, report in reports.items():
         if not name.endswith("-ignore"):
@@ -135,16 +134,16 @@ def photo_table(reports):
 
 
 def signed(value):
-    """Degrees with a sign, or a dash."""
+    """Format degrees with a sign, or None as a dash."""
     return "–" if value is None else f"{value:+.2f}°"
 
 
 def simulated_tables(report):
-    """Levels and kinds of weather, then what was promised and what was kept."""
+    """Tabulate levels and kinds of weather, then predicted and observed correctness."""
     summary = report["summary"]
     rows = []
     for name, row in [*summary["levels"].items(), *summary["full_by"].items(), ("all pictures", summary["images"])]:
-        if not row["photos"] or Path(name).suffix:  # by DEM is for the developer's eye
+        if not row["photos"] or Path(name).suffix:  # figures by DEM are for developers only
             continue
         label = name if name in summary["levels"] or name == "all pictures" else f"full, {name}"
         rows.append([label, *shares(row)])
@@ -152,13 +151,13 @@ def simulated_tables(report):
 
 
 def views_tables(report):
-    """Views cut from real photographs by folder, then what was promised and what was kept."""
+    """Tabulate views cut from real photographs by folder, then predicted and observed correctness."""
     rows = [[name, *shares(row)] for name, row in report["summary"].items()]
     return table_of(["views from", *SHARES], rows) + "\n" + promise_table(report["reliability"])
 
 
 def shares(row):
-    """Cells under `SHARES` of one row of `bench_simulated.accuracy`."""
+    """Return the cells under `SHARES` for one row of `bench_simulated.accuracy`."""
     within = [f"{100 * row[f'within_{limit}']:.0f} %" for limit in ("0.2", "0.5", "1", "3")]
     cover, sure = (
         "–" if row[key] is None else f"{100 * row[key]:.0f} %" for key in ("coverage_90", "coverage_90_accepted")
@@ -167,7 +166,7 @@ def shares(row):
 
 
 def promise_table(reliability):
-    """p_correct promised against kept."""
+    """Tabulate predicted p_correct against observed correctness."""
     kept = [
         [f"{r['from']:.2f} to {r['to']:.2f}", r["photos"], f"{r['promised']:.2f}", f"{r['kept']:.2f}"]
         for r in reliability
@@ -176,7 +175,7 @@ def promise_table(reliability):
 
 
 def skyline_table(report):
-    """Vertical errors of both methods' skylines."""
+    """Tabulate the vertical errors of both methods' skylines."""
     names = (
         ("median_of_medians_px", "median of the images' medians", "{:.1f} px"),
         ("mean_of_medians_px", "mean of the images' medians", "{:.1f} px"),
