@@ -27,7 +27,7 @@ COMPASS_USES = ("ignore", "prior")
 
 @dataclass(frozen=True)
 class OrientOptions:
-    """How to orient photographs.
+    """Options for orienting photographs.
 
     Attributes
     ----------

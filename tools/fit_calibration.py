@@ -5,8 +5,8 @@
 
 `collect` renders simulated photographs (benchmarks/simulated_cases.py, level 'full'), solves them without the truth and
 writes one line per photograph: features, errors and scores of all answers. `fit` fits a logistic regression with a
-small ridge penalty, prints the reliability of the probabilities on unseen photographs (two-fold, or --test), and with --write
-replaces the table.
+small ridge penalty, prints the reliability of the probabilities on unseen photographs (two-fold, or --test), and
+replaces the table if --write is given.
 """
 
 from __future__ import annotations

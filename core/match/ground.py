@@ -48,7 +48,7 @@ class GroundMatchOptions:
 
 
 class GroundEvidence:
-    """How well the visible ground explains a picture, for any pose.
+    """Score of how well the visible ground explains a picture, for any pose.
 
     Parameters
     ----------
