@@ -66,7 +66,7 @@ PhotoLike = Union[PathLike, np.ndarray, Photo, PhotoRequest]
 """A file, pixels (H, W, 3), a `Photo`, or a file with what is known about it."""
 
 IN_PYTHON = {
-    "Give it by the geometry of a photo point layer.": "Give longitude_deg and latitude_deg.",
+    "Supply it as a point in a photo point layer.": "Give longitude_deg and latitude_deg.",
     "HFOV_FIELD": "hfov_deg",
     "HEIGHT_FIELD": "eye_elevation_m",
 }

@@ -10,7 +10,7 @@ OUTPUT = """\
 core/match/search.py:154: error: Need type annotation for "peaks"  [var-annotated]
 core/match/search.py:154: note: a note counts nothing
 core/match/search.py:200:9: error: Need type annotation for "kept" (hint: "x: list[<type>]")  [var-annotated]
-core/io/metadata.py:138: error: Too many arguments for "_crop_factor"  [call-arg]
+build/plugins/skyline_viewshed/core/io/metadata.py:138: error: Too many arguments for "_crop_factor"  [call-arg]
 """
 BASELINE = """\
 # mypy 2.0, NumPy 1.24

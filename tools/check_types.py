@@ -22,6 +22,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BASELINE = ROOT / "tools" / "mypy_baseline.txt"
+PREFIX = "build/plugins/skyline_viewshed/"
+"""Where mypy sees the package under its own name; `make link` sets the link."""
 STRICT = re.compile(r"core/(base/.*|api)\.py$")
 ERROR = re.compile(r"(?P<file>[^:]+\.py):\d+(?::\d+)?: error: .*\[(?P<code>[\w-]+)\]$")
 
@@ -29,10 +31,10 @@ ERROR = re.compile(r"(?P<file>[^:]+\.py):\d+(?::\d+)?: error: .*\[(?P<code>[\w-]
 def errors_of(output):
     """Group mypy's error lines by (file, code)."""
     found = {}
-    for line in output.splitlines():
+    for line in output.replace("\\", "/").replace(PREFIX, "").splitlines():
         match = ERROR.match(line)
         if match:
-            found.setdefault((match["file"].replace("\\", "/"), match["code"]), []).append(line)
+            found.setdefault((match["file"], match["code"]), []).append(line)
     return found
 
 

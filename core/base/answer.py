@@ -25,7 +25,7 @@ class PhotoAnswer:
     _repr_html_: ClassVar[Callable[..., str] | None] = None
     """What a notebook shows. `core.api` sets it, since a drawing needs `core.figures`."""
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         name = re.split(r"[\\/]", self.path)[-1] or "array"
         if self.heading_deg is None:
             return f"<OrientedPhoto {name}: {self.status}. {self.message}>"

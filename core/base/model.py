@@ -67,7 +67,7 @@ class PhotoMetadata:
     position_error_m: float | None = None
     taken_at: datetime | None = None
     camera: str | None = None
-    notes: tuple[Message, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,7 +194,7 @@ class Orientation:
     ncc_second: float | None = None
     sharpness: float | None = None
     residual_px: np.ndarray | None = None
-    notes: tuple[Message, ...] = ()
+    notes: tuple[str, ...] = ()
     behind: bool = False
 
     @property
@@ -284,7 +284,7 @@ class HorizonProfile:
     cell_m: float
     reach_m: np.ndarray
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         known = np.isfinite(self.elevation_deg)
         facts = [f"{len(self.azimuth_deg)} azimuths, eye at {self.eye_elevation_m:.0f} m"]
         if known.any():

@@ -60,7 +60,7 @@ def require(module: str, feature: str) -> Any:
     return found
 
 
-def install_hint(module: str) -> str:
+def install_hint(module: str) -> Message:
     """Say in one sentence how to install a package: into this Python, or into the one that QGIS brings."""
     package = PIP_NAMES.get(module, module)
     if "qgis" not in sys.modules:

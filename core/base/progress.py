@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Protocol, Union
+from typing import Any, Callable, Protocol, Union, cast
 
 from .errors import Cancelled
 
@@ -48,7 +48,7 @@ def as_progress(progress: ProgressLike) -> Progress:
     """Make a `Progress` of whatever a caller has given."""
     if progress is None:
         return SILENT
-    return progress if hasattr(progress, "report") else _Function(progress)
+    return cast(Progress, progress) if hasattr(progress, "report") else _Function(progress)
 
 
 @dataclass(frozen=True)

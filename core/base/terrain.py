@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .arrays import FloatOrArray
 from .errors import NoElevationAtObserverError, ObserverOutsideDemError
 from .frame import LocalFrame, tabulate_frame
 
@@ -115,7 +116,7 @@ class ArrayTerrain(Terrain):
 
     METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         rows, cols = self.shape
         known = self.elevation_m[np.isfinite(self.elevation_m)]
         heights = f"{known.min():.0f} to {known.max():.0f} m" if known.size else "no elevations"
@@ -144,19 +145,34 @@ class ArrayTerrain(Terrain):
             size=3,
         )
 
-    def local_of(self, observer: Observer, longitude_deg: float, latitude_deg: float) -> tuple[float, float]:
-        """True (east, north) of a position from an observer [m]."""
+    def local_of(
+        self, observer: Observer, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Local place of a position.
+
+        Parameters
+        ----------
+        observer : Observer
+            The origin.
+        longitude_deg, latitude_deg : float or array
+            WGS 84 [degrees].
+
+        Returns
+        -------
+        east_m, north_m : array
+            True east and north of the observer [m].
+        """
         frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
         return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
 
-    def pixel_of(self, longitude_deg: float, latitude_deg: float) -> tuple[float, float]:
+    def pixel_of(self, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
         """(col, row) of a position [pixels]."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
         col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(np.radians(self.latitude_deg))
         return col, (rows - 1) / 2 - (latitude_deg - self.latitude_deg) * per_degree
 
-    def position_of(self, col_px: float, row_px: float) -> tuple[float, float]:
+    def position_of(self, col_px: FloatOrArray, row_px: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
         """(longitude, latitude) of a pixel [degrees]; inverse of `pixel_of`."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m

@@ -208,7 +208,7 @@ class Dem(Terrain):
         return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
 
     def local_of(self, observer, longitude_deg, latitude_deg):
-        """True (east, north) of a WGS 84 position from an observer [m]."""
+        """See `ArrayTerrain.local_of`."""
         plane = local_plane(observer.longitude_deg, observer.latitude_deg)
         return Transformer(WGS84, plane)(longitude_deg, latitude_deg)
 
