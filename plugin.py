@@ -1,4 +1,4 @@
-"""The plugin as QGIS sees it: it registers the Processing provider and nothing else."""
+"""The plugin's entry point for QGIS: it registers the Processing provider and nothing else."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TRANSLATIONS = Path(__file__).parent / "i18n"
 
 
 class SkylineViewshedPlugin:
-    """Life of the plugin: load the translation and the provider, and take both away again.
+    """The life cycle of the plugin: load the translation and the provider, and remove both again.
 
     Parameters
     ----------
@@ -27,9 +27,9 @@ class SkylineViewshedPlugin:
         self.translator = None
 
     def initProcessing(self):
-        """Register the provider; the only step that qgis_process asks for."""
+        """Register the provider; qgis_process calls only this step."""
         self._install_translation()
-        # QGIS does not own a Python provider: without this reference its algorithms would vanish.
+        # QGIS does not own a Python provider: without this reference its algorithms would disappear.
         self.provider = SkylineViewshedProvider()
         registry = QgsApplication.processingRegistry()
         registry.addProvider(self.provider)
@@ -42,11 +42,11 @@ class SkylineViewshedPlugin:
             self.provider.refreshAlgorithms()
 
     def initGui(self):
-        """Start within the desktop."""
+        """Start in the desktop application."""
         self.initProcessing()
 
     def unload(self):
-        """Leave QGIS as it was."""
+        """Restore QGIS to its previous state."""
         if self.provider is not None:
             registry = QgsApplication.processingRegistry()
             registry.providerAdded.disconnect(self._renew_models)

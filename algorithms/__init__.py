@@ -1,1 +1,1 @@
-"""The QGIS shell: each algorithm reads its parameters, calls the core and writes what comes back."""
+"""The QGIS shell: each algorithm reads its parameters, calls the core and writes the results."""

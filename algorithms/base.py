@@ -1,4 +1,4 @@
-"""What all algorithms share: identity, help, and the one place that turns core errors into QGIS's."""
+"""The base of all algorithms: identity, help, and the one place that converts core errors to those of QGIS."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ DOCS = "https://github.com/skyline-viewshed/skyline_viewshed/blob/main/docs/algo
 class SkylineAlgorithm(QgsProcessingAlgorithm):
     """Base of the algorithms.
 
-    A subclass sets `ID`, says what it is in `displayName`, `group`, `help_text` and `tags`, and does its work in
+    A subclass sets `ID`, describes itself in `displayName`, `group`, `help_text` and `tags`, and does its work in
     `compute`, which may raise the core's errors. Files and layers are written when the work is done, so that a failed
-    or cancelled run leaves nothing behind.
+    or cancelled run leaves no files behind.
     """
 
     ID = ""
     GROUP_ID = ""
 
     def createInstance(self):
-        """Give QGIS a fresh copy."""
+        """Return a new instance to QGIS."""
         return type(self)()
 
     def name(self):
@@ -69,7 +69,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         return f"{DOCS}#{self.ID}"
 
     def shortHelpString(self):
-        """Help beside the dialog: what it does, with a picture where there is one."""
+        """Help beside the dialog: a description, with a picture if there is one."""
         picture = ROOT / "icons" / "help" / f"{self.ID}.jpg"
         image = f'<p><img src="{picture.as_uri()}" width="230"/></p>' if picture.exists() else ""
         paragraphs = "".join(f"<p>{paragraph}</p>" for paragraph in self.help_text())
@@ -80,7 +80,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def checkParameterValues(self, parameters, context):
-        """Refuse what cannot work before anything is started, and say how to mend it."""
+        """Reject unusable input before anything starts, and explain how to correct it."""
         passed, message = super().checkParameterValues(parameters, context)
         if not passed:
             return passed, message
@@ -88,11 +88,11 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         return (False, in_users_language(message)) if message else (True, "")
 
     def input_fault(self, parameters, context):
-        """Sentence about the first input that cannot work, or None."""
+        """Sentence about the first unusable input, or None."""
         return
 
     def processAlgorithm(self, parameters, context, feedback):
-        """Run, and say a core error as QGIS's."""
+        """Run `compute`, and raise a core error as one of QGIS."""
         try:
             results = self.compute(parameters, context, feedback)
             tell_provenance(context, facts_of(self, parameters, context), software(self))
@@ -124,20 +124,20 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
 
 
 class DemAlgorithm(SkylineAlgorithm):
-    """An algorithm that reads an elevation model: after `prepareAlgorithm` it stands in `self.dem`."""
+    """An algorithm that reads an elevation model, which is in `self.dem` after `prepareAlgorithm`."""
 
     def input_fault(self, parameters, context):
         """Check the DEM."""
         return dem_fault(self, parameters, context)
 
     def prepareAlgorithm(self, parameters, context, feedback):
-        """Take from the layers what they give in the main thread only."""
+        """Read from the layers what they provide in the main thread only."""
         self.dem = dem_source(self, parameters, context)
         return True
 
 
 def _nearest_folder(path):
-    """Nearest ancestor that exists; missing folders below it are made when the output is written."""
+    """Nearest ancestor that exists; missing folders below it are created when the output is written."""
     while not path.exists() and path != path.parent:
         path = path.parent
     return path

@@ -1,4 +1,4 @@
-"""Oriented points and a DEM -> the ground that the photographs show, as raster and polygons."""
+"""Oriented points and a DEM -> the ground that the photographs show, as a raster and polygons."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class DirectedViewshed(DemAlgorithm):
         return tr("viewshed,visibility,photo,field of view,frustum,wedge,dem,sector").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Ground that oriented photographs show: cumulative raster and one polygon per photo")
 
     def help_text(self):
@@ -198,7 +198,7 @@ def interval_parameters():
 
 
 def point_of(row, reading):
-    """Read a point with the photograph that its field photo names."""
+    """Read a point, with the photograph named in its field `photo`."""
     names = row.feature.fields().names()
     photo = row.feature["photo"] if "photo" in names else None
     photo = str(photo) if isinstance(photo, str) and photo else None

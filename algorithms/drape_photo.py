@@ -1,4 +1,4 @@
-"""Oriented photographs -> a georeferenced colour raster: the picture laid over the terrain."""
+"""Oriented photographs -> a georeferenced colour raster: the picture draped over the terrain."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class DrapePhoto(DemAlgorithm):
         return tr("orthophoto,drape,rectify,texture,mosaic,photo,rgba,ground sampling distance").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Colour raster on the DEM's grid: each cell as the photo shows it, transparent where hidden")
 
     def help_text(self):
@@ -119,7 +119,7 @@ class DrapePhoto(DemAlgorithm):
 
 
 def drape(mosaic, photo, options):
-    """Add one photo; gives its number of cells."""
+    """Add one photo and return its number of cells."""
     from ..core.io.photo import read_photo
     from ..core.mapping.drape import build_picture_pyramid, drape_photo
     from ..core.viewshed.viewshed import photo_viewshed

@@ -37,7 +37,7 @@ class ExtractSkyline(SkylineAlgorithm):
         return tr("photo,skyline,horizon,sky,segmentation,ridge,overlay").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Boundary between sky and terrain in photographs, with a confidence per column")
 
     def help_text(self):
@@ -118,7 +118,7 @@ class ExtractSkyline(SkylineAlgorithm):
 
 
 def extract(path, method):
-    """Extract one skyline; the answer is an `OrientedPhoto` without orientation, which overlays can draw."""
+    """Extract one skyline; the result is an `OrientedPhoto` without orientation, which overlays can draw."""
     from ..core.io.photo import read_photo
     from ..core.paper.skyline import extract_skyline_paper
     from ..core.pipeline import OrientOptions
@@ -146,7 +146,7 @@ def pixels_of(found):
 
 
 def write_overlay(found, folder):
-    """Draw the skyline over the picture: a PNG named like the photo."""
+    """Draw the skyline over the picture: a PNG named after the photo."""
     from ..core.figures.overlay import overlay_image
     from ..core.figures.raster import encode_png
 

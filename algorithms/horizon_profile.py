@@ -1,4 +1,4 @@
-"""Points and a DEM -> the horizon around each point, and how much sky it sees."""
+"""Points and a DEM -> the horizon around each point, and the share of the sky that it sees."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from .shared.sky_view_output import add_sky_view_parameters, sky_view_fault, wri
 from .shared.styling import style_on_completion
 
 PROFILES_PART = 0.4
-"""Of the progress bar, where a raster of sky view factors follows."""
+"""Share of the progress bar for the profiles if a raster of sky view factors follows."""
 
 
 class HorizonProfile(DemAlgorithm):
-    """Cast the horizon around points."""
+    """Compute the horizon around points."""
 
     ID = "horizonprofile"
     GROUP_ID = "terrain"
@@ -45,7 +45,7 @@ class HorizonProfile(DemAlgorithm):
         return tr("horizon,skyline,panorama,sky view factor,shading,elevation angle,dem").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Elevation angle and distance of the horizon around points, and their sky view factor")
 
     def help_text(self):
@@ -107,7 +107,7 @@ class HorizonProfile(DemAlgorithm):
         )
 
     def compute(self, parameters, context, feedback):
-        """Cast point by point, then write."""
+        """Compute the horizon point by point, then write."""
         source, rows = read_points(self, parameters, context)
         options = HorizonOptions(
             azimuth_step_deg=self.parameterAsDouble(parameters, "AZIMUTH_STEP", context),
@@ -141,7 +141,7 @@ class HorizonProfile(DemAlgorithm):
 
 
 def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
-    """Yield (row, profile) for each point that the DEM covers; the others are warned of. Progress goes to `end`."""
+    """Yield (row, profile) for each point that the DEM covers; the others get a warning. Progress ends at `end`."""
     from ..core.base.terrain import Observer
     from ..core.horizon.horizon import horizon_profile
 

@@ -1,4 +1,4 @@
-"""Folder of photographs -> point layer with what the files say."""
+"""Folder of photographs -> point layer with the contents of their metadata."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class ImportPhotos(SkylineAlgorithm):
         return tr("photo,exif,heic,jpeg,geotag,gps,import,focal length,compass").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Point layer of the photographs in a folder, with field of view and compass reference")
 
     def help_text(self):

@@ -23,7 +23,7 @@ from .shared.views import Opening, add_view_parameters, open_views, sight_option
 
 
 class LabelPeaks(DemAlgorithm):
-    """Tell which summits photographs show, and write their names in."""
+    """Find which summits photographs show, and write in their names."""
 
     ID = "labelpeaks"
     GROUP_ID = "maps"
@@ -37,7 +37,7 @@ class LabelPeaks(DemAlgorithm):
         return tr("peak,summit,mountain,name,label,annotate,prominence,openstreetmap,geonames").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Summits in the picture with visibility, distance and position; annotated PNG and SVG")
 
     def help_text(self):

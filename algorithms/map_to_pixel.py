@@ -1,4 +1,4 @@
-"""Map features -> image coordinates on oriented photographs, with visible, hidden, outside."""
+"""Map features -> image coordinates on oriented photographs, each visible, hidden or outside."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class MapToPixel(DemAlgorithm):
         return tr("project,overlay,photo,pixel,visible,hidden,trail,outline,annotate,augmented").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Where points, lines and areas of the map appear in oriented photos, and what hides them")
 
     def help_text(self):

@@ -36,12 +36,12 @@ COLUMNS = {
     "HFOV_FIELD": ("hfov", "hfov_deg"),
     "VFOV_FIELD": ("vfov", "vfov_deg"),
 }
-"""Field parameters and the names that are taken when none is chosen."""
+"""Field parameters and the field names that are used if none is chosen."""
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Size and field of view of one photo: what eq. 10 needs."""
+    """Size and field of view of one photo, as eq. 10 needs them."""
 
     width_px: float
     height_px: float
@@ -50,7 +50,7 @@ class Frame:
 
 
 class MeasureOffsets(SkylineAlgorithm):
-    """Equation 10 of the paper on hand-picked landmark pairs."""
+    """Apply equation 10 of the paper to hand-picked landmark pairs."""
 
     ID = "measureoffsets"
     GROUP_ID = "checks"
@@ -64,7 +64,7 @@ class MeasureOffsets(SkylineAlgorithm):
         return tr("accuracy,landmark,offset,skyline,evaluation,table").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Angular offsets between extracted and synthetic skyline from landmark pairs")
 
     def help_text(self):
@@ -185,7 +185,7 @@ class MeasureOffsets(SkylineAlgorithm):
 
 
 def frame_of(photo, given):
-    """Size and field of view as given, the rest from the photo file by the published rule."""
+    """Size and field of view as given; missing values come from the photo file by the published rule."""
     if None not in given:
         return Frame(*given)
     from ..core.io.photo import read_metadata

@@ -1,4 +1,4 @@
-"""Photo points and a DEM -> points with heading, pitch, roll, and how sure that is."""
+"""Photo points and a DEM -> points with heading, pitch, roll, and their certainty."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class OrientPhotos(DemAlgorithm):
         return tr("photo,heading,azimuth,direction,orientation,pose,skyline,horizon,compass,pitch,roll").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Heading, pitch and roll of mountain photographs from their skyline and a DEM")
 
     def help_text(self):

@@ -1,4 +1,4 @@
-"""Points and a DEM -> the labelled outline panorama of each point, with photos' frames in place."""
+"""Points and a DEM -> the labelled outline panorama of each point, with the frames of photos."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from .shared.summit_input import Summitry, add_summit_parameters
 
 
 class Panorama(DemAlgorithm):
-    """Draw what the terrain looks like all round."""
+    """Draw the outlines of the terrain all around."""
 
     ID = "panorama"
     GROUP_ID = "maps"
@@ -42,7 +42,7 @@ class Panorama(DemAlgorithm):
         return tr("panorama,horizon,skyline,ridge,outline,360,peaks,labels,svg").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Labelled horizon and inner ridges in all directions from a point, as SVG, PNG and map lines")
 
     def help_text(self):

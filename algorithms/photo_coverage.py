@@ -1,4 +1,4 @@
-"""A collection of oriented photographs -> how often and how well the ground is seen, and who is needed."""
+"""A collection of oriented photographs -> how often and how well the ground is seen, and which photos are needed."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .shared.views import Opening, add_view_parameters, open_views
 
 
 class PhotoCoverage(DemAlgorithm):
-    """Tell what a collection covers."""
+    """Determine what a collection covers."""
 
     ID = "photocoverage"
     GROUP_ID = "maps"
@@ -39,7 +39,7 @@ class PhotoCoverage(DemAlgorithm):
         return tr("coverage,blind spot,viewshed,cumulative,set cover,monitoring,fewest,photos,gsd").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("How often and how finely each cell is photographed, blind spots, and the fewest photos needed")
 
     def help_text(self):
@@ -108,7 +108,7 @@ class PhotoCoverage(DemAlgorithm):
         self.addOutput(QgsProcessingOutputBoolean("PROVEN", tr("No smaller choice exists")))
 
     def compute(self, parameters, context, feedback):
-        """See photo by photo, choose, then write."""
+        """Compute the viewsheds photo by photo, choose, then write."""
         from ..core.mapping.coverage import Coverage
 
         terrain = self.dem.open()
@@ -138,7 +138,7 @@ class PhotoCoverage(DemAlgorithm):
         return results
 
     def _see(self, photos, terrain, coverage, parameters, context, feedback):
-        """Add every photo's viewshed; gives the cells that each sees."""
+        """Add every photo's viewshed and return the cells that each sees."""
         from ..core.base.progress import subtask
         from ..core.viewshed.viewshed import ViewshedOptions, photo_viewshed
         from .shared.feedback import FeedbackProgress

@@ -1,4 +1,4 @@
-"""Folder or layer of photographs and a DEM -> oriented points, ground in view, and a report, in one run."""
+"""A folder or layer of photographs and a DEM -> oriented points, ground in view, and a report, in one run."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ from .shared.visibility import add_range_parameters, range_fault, viewshed_optio
 
 SHARE = (0.0, 0.95)
 ORIENTATION_PART = 0.8
-"""Of a photo's share of the progress bar; its viewshed has the rest."""
+"""The orientation's part of a photo's share of the progress bar; its viewshed takes the rest."""
 
 
 class PhotoViewshed(DemAlgorithm):
-    """The whole pipeline in one algorithm."""
+    """Run the whole pipeline in one algorithm."""
 
     ID = "photoviewshed"
     GROUP_ID = "all"
@@ -56,7 +56,7 @@ class PhotoViewshed(DemAlgorithm):
         return tr("photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("From mountain photographs and a DEM to headings, ground in view and a report")
 
     def help_text(self):
@@ -162,14 +162,14 @@ class PhotoViewshed(DemAlgorithm):
         )
 
     def compute(self, parameters, context, feedback):
-        """Orient a photo, compute what it shows, take the next; then write."""
+        """Orient a photo, compute the ground that it shows, take the next; then write."""
         photos = photo_rows(self, parameters, context, feedback)
         options = options_of(self, parameters, context, "HORIZON_DISTANCE")
         requests = requests_of(self, parameters, context, photos.rows)
         dem = self.dem.open()
         ground = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
         features, statuses = [], []
-        # Asked once: each question about a temporary folder gives another one.
+        # Evaluated once: each evaluation of a temporary folder returns a different one.
         names = ("RASTERS", "FIGURES", "ORIENTATIONS")
         folders = {name: self.parameterAsString(parameters, name, context) for name in names}
         with PhotoReport(self, parameters, context, len(photos.rows)) as report:
@@ -204,13 +204,13 @@ class PhotoViewshed(DemAlgorithm):
         return Viewer(dem, kind, options, feedback, folder)
 
     def _limited(self, parameters, context, point, oriented):
-        """Give the point its photo's own skyline where that is wanted."""
+        """Give the point its photo's own skyline if requested."""
         if not self.parameterAsBoolean(parameters, "OWN_SKYLINE", context):
             return point
         return with_own(point, oriented, self.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context))
 
     def _view_of(self, parameters, context, viewer, method, count):
-        """Give the function that computes one photo's viewshed, or None where its heading is not to be trusted."""
+        """Return the function that computes one photo's viewshed, or None for a photo whose heading is not reliable."""
         doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
         progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
 

@@ -24,7 +24,7 @@ from .shared.views import (
 
 
 class PixelToMap(DemAlgorithm):
-    """Place what was drawn on photographs on the map."""
+    """Place features drawn on photographs on the map."""
 
     ID = "pixeltomap"
     GROUP_ID = "maps"
@@ -38,7 +38,7 @@ class PixelToMap(DemAlgorithm):
         return tr("monoplotting,pixel,photo,georeference,digitise,glacier,labelme,coco,via,ellipse,accuracy").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Points, lines and areas drawn on oriented photos become map features with an error ellipse")
 
     def help_text(self):

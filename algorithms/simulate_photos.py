@@ -25,7 +25,7 @@ DIAGONAL_MM = 43.2666
 
 
 class SimulatePhotos(DemAlgorithm):
-    """Render what a camera would see."""
+    """Render the view of a camera."""
 
     ID = "simulatephotos"
     GROUP_ID = "checks"
@@ -39,7 +39,7 @@ class SimulatePhotos(DemAlgorithm):
         return tr("render,view,panorama,synthetic,photo,preview,test data").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Realistic photographs of the terrain from points with a heading")
 
     def help_text(self):
@@ -84,7 +84,7 @@ class SimulatePhotos(DemAlgorithm):
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
 
     def compute(self, parameters, context, feedback):
-        """Render point by point; each file is whole before the next begins."""
+        """Render point by point; each file is complete before the next begins."""
         _, rows = read_points(self, parameters, context, "INPUT", None, POSE_FIELDS)
         size = tuple(self.parameterAsInt(parameters, name, context) for name in ("WIDTH", "HEIGHT"))
         suffix = FORMATS[self.parameterAsEnum(parameters, "FORMAT", context)]

@@ -22,7 +22,7 @@ from .shared.styling import style_on_completion
 from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 NET_CELLS = 1.0
-"""Areas are asked in a net of this many DEM cells."""
+"""Areas are sampled on a grid of this many DEM cells."""
 
 
 class WhichPhotos(DemAlgorithm):
@@ -40,7 +40,7 @@ class WhichPhotos(DemAlgorithm):
         return tr("search,photo,archive,place,visible,inverse,query,resolution,ranking").split(",")
 
     def shortDescription(self):
-        """One line."""
+        """One-line description."""
         return tr("Table of places and the photos that show them: share, pixels per metre, angle, pixel, rank")
 
     def help_text(self):
@@ -95,7 +95,7 @@ class WhichPhotos(DemAlgorithm):
         self.addOutput(QgsProcessingOutputNumber("UNSEEN", tr("Number of places that no photo shows")))
 
     def compute(self, parameters, context, feedback):
-        """Ask photo by photo, rank, then write."""
+        """Process photo by photo, rank, then write."""
         from ..core.mapping.sightings import find_sightings
 
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
@@ -138,7 +138,7 @@ class WhichPhotos(DemAlgorithm):
 
 
 def samples_of(terrain, frame, geometry):
-    """Local places at which a place is asked: its points, its line in steps of a cell, a net over its area."""
+    """Local sample places of a place: its points, its line in steps of a cell, a grid over its area."""
     import numpy as np
 
     from ..core.mapping.projecting import sample_area

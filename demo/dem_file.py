@@ -1,4 +1,4 @@
-"""Invented terrain as a file that GDAL and QGIS place on the Earth."""
+"""Invented terrain written as a file that GDAL and QGIS place on the Earth."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def write_dem(path, elevation_m, cell_m, longitude_deg=0.0, latitude_deg=0.0):
 
     Notes
     -----
-    The CRS is azimuthal equidistant around the centre: distances and azimuths from the centre are the array's. Seen
-    from an observer d off the centre, scale changes by less than (d / R)^2 / 2 and the columns turn from true north by
-    (d_east / R) tan(latitude), as meridians do: 0.05 degrees at 5 km and 46 degrees, nothing on the equator.
-    `ArrayTerrain.pixel_of`, a plate carree on a sphere, agrees at the centre and departs by up to 0.7 % of the
-    distance from it; so give photographs the positions of `Dem.position_of`.
+    The CRS is azimuthal equidistant around the centre, so distances and azimuths from the centre are those of the
+    array. Seen from an observer d off the centre, scale changes by less than (d / R)^2 / 2, and the columns turn from
+    true north by (d_east / R) tan(latitude), as meridians do: 0.05 degrees at 5 km and 46 degrees, nothing on the
+    equator. `ArrayTerrain.pixel_of`, a plate carree on a sphere, agrees at the centre and departs by up to 0.7 % of the
+    distance from it, so photographs should take their positions from `Dem.position_of`.
     """
     elevation_m = np.asarray(elevation_m, np.float32)
     grid = _CentredGrid(elevation_m.shape, cell_m, longitude_deg, latitude_deg)

@@ -1,7 +1,7 @@
-"""A terrain model as it might really be: crests sharper and slopes rougher than its cells can hold.
+"""A finer version of a terrain model: crests sharper and slopes rougher than its cells can represent.
 
-Every elevation model smooths. A simulated photograph of the model itself would fit it better than any real one does;
-this finer terrain stands in for the mountain of which the model is the blurred copy.
+Every elevation model smooths. A simulated photograph of the model itself would fit it better than any real photograph
+does. This finer terrain stands in for the mountain of which the model is the blurred copy.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ..core.base.terrain import Terrain, Window
 from .mountains import roughness
 
 MARGIN_CELLS = 6
-"""Coarse cells read around a window, so that filters do not feel its edge."""
+"""Coarse cells read around a window, so that its edge does not affect the filters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,11 +30,11 @@ class DetailedTerrain(Terrain):
     factor : int
         Fine cells per coarse cell and direction.
     seed : int
-        Of the detail; the same seed gives the same mountain, whatever window is read.
+        Seed of the detail; the same seed gives the same mountain, whatever window is read.
     strength : float
         Standard deviation of the detail at unit slope [coarse cells].
     sharpening : float
-        How much crests rise above, and hollows sink below, the smoothed model (1: what a blur of one cell took).
+        How far crests rise above, and hollows sink below, the smoothed model (1: what a blur of one cell removed).
     """
 
     terrain: Terrain
@@ -83,7 +83,8 @@ class DetailedTerrain(Terrain):
             nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
             coarse = coarse[tuple(nearest)]
         coarse = coarse + self.sharpening * (coarse - ndimage.gaussian_filter(coarse, 0.8, mode="nearest"))
-        # All fine rows over the source, then the window: filters of the roughness need its surroundings too.
+        # Compute all fine rows over the source, then cut the window: filters of the roughness need its surroundings
+        # too.
         rows = np.arange(source.row * self.factor, (source.row + source.rows) * self.factor)
         cols = np.arange(source.col * self.factor, (source.col + source.cols) * self.factor)
         fine = _upsample(_upsample(coarse, self.factor).T, self.factor).T
@@ -96,7 +97,7 @@ class DetailedTerrain(Terrain):
         return fine[row : row + window.rows, col : col + window.cols].astype(np.float32)
 
     def _cell_m(self):
-        """Ground size of a coarse cell at the raster's middle [m]."""
+        """Ground size of a coarse cell at the raster's centre [m]."""
         rows, cols = self.terrain.shape
         return self.terrain.frame(*map(float, self.terrain.position_of(cols / 2, rows / 2)), 2_000.0).cell_m
 
@@ -108,12 +109,12 @@ class DetailedTerrain(Terrain):
 
 
 def _upsample(values, factor):
-    """Make `factor` rows of each by cubic convolution (Keys 1981, doi:10.1109/TASSP.1981.1163711)."""
+    """Interpolate `factor` rows for each row by cubic convolution (Keys 1981, doi:10.1109/TASSP.1981.1163711)."""
     padded = np.pad(values, ((2, 2), (0, 0)), mode="edge")
     fine = np.empty((values.shape[0] * factor, values.shape[1]))
     for phase in range(factor):
         offset = (phase + 0.5) / factor - 0.5
-        first = 1 if offset < 0 else 2  # the padded row at or before the sampled place
+        first = 1 if offset < 0 else 2  # the padded row at or before the sampled position
         t = offset + 1 if offset < 0 else offset
         weights = (
             ((2 - t) * t - 1) * t / 2,

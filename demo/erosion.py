@@ -1,7 +1,7 @@
-"""Rivers and rockfall: one step of wearing a landscape down.
+"""Rivers and rockfall: one step of erosion of a landscape.
 
-Drainage over pits follows the minimum spanning tree, and sums along the tree go by pointer doubling, so that no step
-needs a loop over cells.
+Drainage over pits follows the minimum spanning tree, and sums along the tree are computed by pointer doubling, so that
+no step needs a loop over cells.
 """
 
 from __future__ import annotations
@@ -13,22 +13,23 @@ from scipy.sparse.csgraph import breadth_first_order, minimum_spanning_tree
 UPLIFT_M = 60.0
 """Uplift per step [m]."""
 EROSION_M = 0.45
-"""Of the stream-power law (m = 0.5, n = 1): erosion per step at unit slope, per metre of the square root of area."""
+"""Constant of the stream-power law (m = 0.5, n = 1): erosion per step at unit slope, per metre of the square root of
+area."""
 HILLSLOPE_M = 600.0
-"""Below a drainage area of this squared, rivers have not begun and slopes stay about even [m]."""
+"""Below a drainage area of this squared, rivers have not formed and slopes stay about even [m]."""
 
 
 def wear(height, uplift, softness, cell_m, repose):
-    """One step: uplift, implicit stream power along the drainage tree, rockfall beyond the angle of repose.
+    """Compute one step: uplift, implicit stream power along the drainage tree, rockfall beyond the angle of repose.
 
     Parameters
     ----------
     height, uplift, softness : (N, M) arrays
-        Elevations [m]; uplift and erodibility about 1.
+        Elevations [m]; uplift and erodibility, both about 1.
     cell_m : float
-        [m].
+        Side of a cell [m].
     repose : float
-        Steepest slope that stands, as a tangent.
+        Steepest stable slope, as a tangent.
 
     References
     ----------
@@ -48,7 +49,7 @@ NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 
 
 
 def drainage(height):
-    """Receiver of every cell: its steepest lower neighbour, or the way out of its pit.
+    """Find the receiver of every cell: its steepest lower neighbour, or the way out of its pit.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Seeded procedural mountains: a range carved by rivers and rockfall, with detail below any cell size.
 
-The land rises by a random pattern of uplift and is worn by the stream-power law along its drainage, solved
-implicitly on grids that grow finer; slopes beyond the angle of repose slide (`mountains_erosion`).
+The land rises by a random pattern of uplift and is eroded by the stream-power law along its drainage, solved
+implicitly on grids of increasing resolution; slopes beyond the angle of repose slide (`demo.erosion`).
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from .erosion import slide, wear
 
 @dataclass(frozen=True)
 class MountainOptions:
-    """How a range shall look.
+    """The shape of a mountain range.
 
     Attributes
     ----------
     size : int
         Cells per side of the result.
     cell_m : float
-        [m].
+        Side of a cell [m].
     relief_m : float
         Highest minus lowest elevation [m].
     base_m : float
         Lowest elevation [m].
     repose_deg : float
-        Steepest slope that stands at the scale of the carving grid [degrees].
+        Steepest stable slope at the scale of the carving grid [degrees].
     longitude_deg, latitude_deg : float
         WGS 84 position of the centre [degrees].
     """
@@ -54,9 +54,9 @@ class MountainOptions:
 COARSEST_CELLS = 48
 """The carving starts on a grid of about this size and doubles it."""
 FINEST_CELLS = 320
-"""Beyond this the carved surface is only interpolated and roughened: valleys have their shape by then."""
+"""Above this size the carved surface is only interpolated and roughened: valleys have their shape by then."""
 MARGIN = 0.12
-"""Share of the carved domain cut off at each side, where rivers leave and the land sinks to the sea."""
+"""Share of the carved domain that is cut off at each side, where rivers leave and the land sinks to the sea."""
 
 
 def make_mountains(seed, options: MountainOptions | None = None, progress: Progress = SILENT) -> ArrayTerrain:
@@ -92,26 +92,26 @@ def _rescaled(surface, options):
 
 
 def roughness(elevation_m, cell_m, coarse_cell_m, seed, strength=0.22, origin_px=(0, 0)):
-    """Relief that a grid of `coarse_cell_m` does not hold, for a finer grid of `cell_m`.
+    """Compute the relief that a grid of `coarse_cell_m` cannot represent, for a finer grid of `cell_m`.
 
-    Rugged where the surface is steep and on crests, smooth on valley floors.
+    It is rugged on steep slopes and crests, and smooth on valley floors.
 
     Parameters
     ----------
     elevation_m : (R, C) array
         Smooth surface on the fine grid [m].
     cell_m, coarse_cell_m : float
-        [m].
+        Sides of the cells of the fine and of the coarse grid [m].
     seed : int
     strength : float
-        Standard deviation at unit slope, in coarse cells.
+        Standard deviation at unit slope [coarse cells].
     origin_px : (row, col)
-        Of the array in its raster, so that any window of it gets the same roughness.
+        Position of the array in its raster, so that any window of the raster gets the same roughness.
 
     Returns
     -------
     (R, C) array
-        To be added [m].
+        Relief to be added [m].
     """
     smooth = ndimage.gaussian_filter(elevation_m, max(coarse_cell_m / cell_m, 0.7), mode="nearest", truncate=2.5)
     slope = np.hypot(*np.gradient(smooth, cell_m))
@@ -152,7 +152,7 @@ def _carve(generator, whole_m, options, progress):
 
 
 def _uplift(tile, size):
-    """Where the land rises, 0 to about 1.8: a few massifs and cross ranges, nothing at the margin."""
+    """Rate of uplift, 0 to about 1.8: a few massifs and cross ranges, nothing at the margin."""
     axis = (np.arange(size) + 0.5) / size
     y, x = np.meshgrid(axis, axis, indexing="ij")
     noise = tile.sample(x * 180, y * 180, 8.0)[..., 0]
@@ -161,7 +161,7 @@ def _uplift(tile, size):
 
 
 def _softness(tile, size):
-    """How easily the rock wears, about 0.4 to 2.5: hard ribs become crests and bend the rivers."""
+    """Erodibility of the rock, about 0.4 to 2.5: hard ribs become crests and bend the rivers."""
     axis = (np.arange(size) + 0.5) / size * 256
     y, x = np.meshgrid(axis, axis, indexing="ij")
     return np.exp(0.45 * tile.sample(x, y, 256 / size)[..., 0])
@@ -177,7 +177,7 @@ def _start(generator, size, height):
 
 
 def _resample_inner(carved, size, seed):
-    """Cut the margin off and bring the inner part to `size` cells, bent a little so that no valley follows the grid."""
+    """Cut off the margin and resample the rest to `size` cells, slightly bent so that no valley follows the grid."""
     cells = len(carved)
     axis = cells * MARGIN + (np.arange(size) + 0.5) / size * cells * (1 - 2 * MARGIN) - 0.5
     y, x = np.meshgrid(axis, axis, indexing="ij")

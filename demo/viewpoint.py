@@ -1,4 +1,4 @@
-"""Find places and directions worth a simulated photograph: a ridge in the frame, and not the next slope's face."""
+"""Search for places and directions worth a simulated photograph: a ridge in the frame, not the nearest slope."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ from ..core.simulate.cast import cast_fan
 from ..core.simulate.patch import read_patch
 
 SCOUT_FOCAL_PX = 60.0
-"""The scout looks around at half a degree."""
+"""Focal length of the search camera, which samples the view at half a degree [pixels]."""
 
 
 @dataclass(frozen=True)
 class ViewpointOptions:
-    """What makes a view.
+    """The criteria for a view.
 
     Attributes
     ----------
     eye_height_m : float
-        Above the terrain [m].
+        Height above the terrain [m].
     near_m : float
-        A horizon nearer than this is the slope one stands on [m].
+        A horizon nearer than this is the slope on which the observer stands [m].
     range_m : float
-        How far the scout looks [m].
+        Distance up to which the search looks [m].
     least_relief_deg : float
         Least standard deviation of the horizon's elevation angle within the frame [degrees].
     roll_sigma_deg, largest_roll_deg : float
-        [degrees].
+        Standard deviation of the roll, and its largest value [degrees].
     tries : int
-        Places looked at before giving up.
+        Number of places that are tried before the search fails.
     """
 
     eye_height_m: float = 1.7
@@ -68,7 +68,7 @@ def find_view(
         (col, row) -> (longitude_deg, latitude_deg) of the terrain's raster.
     options : ViewpointOptions or None
     finer : Terrain or None
-        What the camera will really see; its humps close by must not hide the view that `terrain` promises.
+        The terrain that the camera will really see; its humps close by must not hide the view that `terrain` promises.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def find_view(
 
 
 def _look(terrain, frame, eye_m, camera, generator, options):
-    """Give a pose that frames a far and varied part of this place's horizon, or None."""
+    """Return a pose that frames a distant and varied part of this place's horizon, or None."""
     scout = Camera(2, 2, SCOUT_FOCAL_PX)
     turns = (-180.0, 180.0)
     patch = read_patch(terrain, frame, turns, 0.0, options.range_m)
@@ -118,7 +118,7 @@ def _look(terrain, frame, eye_m, camera, generator, options):
         middle, half = (seen.min() + seen.max()) / 2, camera.vfov_deg / 2
         if np.ptp(seen) > 1.7 * half:
             continue
-        # The ridge lies anywhere in the frame, mostly above its middle, and rarely leaves it.
+        # The ridge may lie anywhere in the frame, mostly above its middle, and rarely leaves it.
         slack = half - np.ptp(seen) / 2
         pitch = middle - slack * (0.9 * generator.random() - 0.3)
         roll = np.clip(options.roll_sigma_deg * _normal(generator), -options.largest_roll_deg, options.largest_roll_deg)
@@ -127,7 +127,7 @@ def _look(terrain, frame, eye_m, camera, generator, options):
 
 
 def _clear(terrain, finer, observer, camera, pose, options):
-    """Tell whether the finer terrain close by leaves most of the coarse one's horizon in sight."""
+    """Return whether the finer terrain close by leaves most of the coarse terrain's horizon visible."""
     horizons = []
     for model, range_m in ((terrain, options.range_m), (finer, 2_500.0)):
         frame = model.frame(observer.longitude_deg, observer.latitude_deg, range_m * 1.01)
@@ -141,6 +141,6 @@ def _clear(terrain, finer, observer, camera, pose, options):
 
 
 def _normal(generator):
-    """Draw a normal deviate by Box and Muller's method: uniform numbers stay the same from NumPy to NumPy."""
+    """Draw a normal deviate by the Box-Muller method: uniform numbers are the same in every version of NumPy."""
     first, second = generator.random(2)
     return float(np.sqrt(-2 * np.log(1 - first)) * np.cos(2 * np.pi * second))

@@ -1,4 +1,4 @@
-"""A season's weather: scenes whose light, clouds, foreground and camera faults are drawn at random."""
+"""The weather of a season: scenes whose light, clouds, foreground and camera faults are drawn at random."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..core.simulate.scene import CLOUDS, FOREGROUNDS, SceneOptions
 
 
 def hard_scene(seed, **changes):
-    """Draw weather, light, foreground and camera faults at random, as a season of photographs has them."""
+    """Draw weather, light, foreground and camera faults at random, as they vary over a season of photographs."""
     generator = np.random.Generator(np.random.PCG64([seed, 77]))
     pick = generator.random
     clouds = str(np.array(CLOUDS)[np.searchsorted(np.cumsum([0.42, 0.26, 0.16, 0.04]), pick())])

@@ -1,1 +1,1 @@
-"""What the Processing toolbox shows: the provider with its algorithms and models."""
+"""The provider of the Processing toolbox, with its algorithms and models."""

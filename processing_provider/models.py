@@ -33,7 +33,7 @@ TEXTS = (
         "Counts the cells of each class of a land-cover raster within the ground that each oriented photograph shows."
     ),
 )
-"""What the files say in English. QGIS has no translations of a model's own, so they are put in after reading it."""
+"""The English texts of the files. QGIS cannot translate a model's own texts, so they are replaced after reading it."""
 
 
 def tooltips():
@@ -58,7 +58,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
     Parameters
     ----------
     path : str
-        Of the .model3 file.
+        Path of the .model3 file.
     """
 
     def __init__(self, path):
@@ -68,7 +68,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         self._translate()
 
     def _translate(self):
-        """Give labels and help in the user's language; the steps' names in the log stay as in the file."""
+        """Translate labels and help into the user's language; the steps' names in the log stay as in the file."""
         texts = tooltips()
         for definition in self.parameterDefinitions():
             definition.setDescription(marked(definition.description()))
@@ -79,7 +79,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         self.setHelpContent({**content, "ALG_DESC": marked(content.get("ALG_DESC", ""))})
 
     def createInstance(self):
-        """Read the file anew: by then all providers of its steps are registered."""
+        """Read the file again: by then all providers of its steps are registered."""
         instance = ShippedModel(self.path)
         instance.setProvider(self.provider())
         return instance

@@ -31,7 +31,7 @@ ALGORITHMS = (
     ("panorama", "Panorama"),
     ("photo_coverage", "PhotoCoverage"),
 )
-"""(module under `algorithms`, class), in the order of the work."""
+"""(module under `algorithms`, class), in the order in which a user needs them."""
 
 
 class SkylineViewshedProvider(QgsProcessingProvider):
@@ -42,21 +42,21 @@ class SkylineViewshedProvider(QgsProcessingProvider):
         return PROVIDER_ID
 
     def name(self):
-        """As the toolbox shows it; a proper name, not translated."""
+        """Name shown in the toolbox; a proper name, not translated."""
         return "Skyline Viewshed"
 
     def longName(self):
-        """Name and version, as the options dialog shows them."""
+        """Name and version, shown in the options dialog."""
         return f"{self.name()} {self.versionInfo()}"
 
     def versionInfo(self):
-        """Give the plugin's version."""
+        """Return the plugin's version."""
         metadata = ConfigParser(interpolation=None)
         metadata.read(ROOT / "metadata.txt", encoding="utf-8")
         return metadata.get("general", "version", fallback="")
 
     def helpId(self):
-        """Anchor of the help; the algorithms carry their own links."""
+        """Anchor of the help; the algorithms have their own links."""
         return PROVIDER_ID
 
     def icon(self):
@@ -68,11 +68,11 @@ class SkylineViewshedProvider(QgsProcessingProvider):
         return str(ROOT / "icons" / "provider.svg")
 
     def supportedOutputRasterLayerExtensions(self):
-        """We write GeoTIFF only."""
+        """Return GeoTIFF, the only format that we write."""
         return ["tif", "tiff"]
 
     def defaultRasterFileExtension(self):
-        """Ending of temporary rasters."""
+        """Suffix of temporary rasters."""
         return "tif"
 
     def loadAlgorithms(self):

@@ -1,4 +1,4 @@
-"""What all tests share: their environment, the shared data, QGIS with our provider, a scene with known truth."""
+"""Shared fixtures: the environment, the shared data, QGIS with our provider, and a scene with known truth."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 PLUGINS = ROOT / "build" / "plugins"
 BARE_MODULES = ("cv2", "pillow_heif", "exifread")
-"""Blocked when SKYLINE_BARE=1, to run the tests on what QGIS itself ships."""
+"""Blocked if SKYLINE_BARE=1, to run the tests with only the packages that QGIS itself ships."""
 
-# All this has to stand before NumPy and QGIS load. pytest-qgis would start QGIS before it reads any conftest.py, and
-# without an X server that ends the process; so pyproject.toml keeps it from loading by itself, and it loads here.
+# All of this must be set before NumPy and QGIS load. pytest-qgis would start QGIS before it reads any conftest.py, and
+# without an X server that ends the process. pyproject.toml therefore keeps it from loading by itself, and it loads
+# here.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(variable, "1")
@@ -42,7 +43,7 @@ pytest_plugins = [name for name in PYTEST_QGIS if HAVE_QGIS and find_spec("pytes
 
 
 def pytest_ignore_collect(collection_path, config):
-    """Leave out the QGIS tests where there is no QGIS (make test-core in a plain environment)."""
+    """Skip the QGIS tests if there is no QGIS (make test-core in a plain environment)."""
     if not HAVE_QGIS and "algorithms" in collection_path.parts and collection_path.is_relative_to(ROOT / "tests"):
         return True
     return None
@@ -50,7 +51,7 @@ def pytest_ignore_collect(collection_path, config):
 
 @pytest.fixture(scope="session")
 def shared_data():
-    """Folder of the real photographs and DEMs, which are no part of the repository."""
+    """Folder of the real photographs and DEMs, which are not part of the repository."""
     for folder in (os.environ.get("SKYLINE_DATA"), ROOT.parent / "shared" / "data"):
         if folder and Path(folder).is_dir():
             return Path(folder)
@@ -93,7 +94,7 @@ def shell_environment(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def qgis_process(shell_environment):
-    """Run qgis_process with arguments and give the finished process."""
+    """Run qgis_process with arguments and return the finished process."""
     if shutil.which("qgis_process", path=shell_environment["PATH"]) is None:
         pytest.skip("qgis_process is not installed")
 
@@ -114,7 +115,7 @@ def qgis_process(shell_environment):
 
 @pytest.fixture(scope="session")
 def scene(tmp_path_factory):
-    """A simulated range with two photographs of known pose, and the odd files that folders hold.
+    """A simulated range with two photographs of known pose, and the unusual files that folders contain.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Reports as one text: what goes to a file in a run is kept in memory."""
+"""Reports as one text: output that goes to a file in a run is kept in memory."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from skyline_viewshed.core.report.report import ReportWriter
 
 
 class MemoryDocument:
-    """A `core.report.page.Document` that ends as `text`."""
+    """A `core.report.page.Document` that keeps the result in `text`."""
 
     def __init__(self):
         self._parts, self.text = [], ""
@@ -23,7 +23,7 @@ class MemoryDocument:
 
 
 def report_html(photos, title, parameters=None, **options):
-    """The report of a handful of `OrientedPhoto`s."""
+    """The report of a few `OrientedPhoto`s."""
     with ReportWriter(document := MemoryDocument(), title, parameters, expected_photos=len(photos), **options) as page:
         for photo in photos:
             page.add(photo)

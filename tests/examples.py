@@ -1,4 +1,4 @@
-"""Run the examples of README and docs as a reader would: in the checkout, with a shell of their own."""
+"""Run the examples of README and docs as a reader would: in the checkout, in a separate shell."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ OURS = ("PYTHONPATH", "MAKEFLAGS", "MAKELEVEL", "MFLAGS", "QGIS_PLUGINPATH", "QG
 """Variables of this test run that a reader's shell does not have."""
 
 _FINISHED = {}
-"""Blocks that have run, by their code: an example that stands twice runs once."""
+"""Blocks that have run, by their code: an example that appears twice runs once."""
 
 
 def need_sample():
-    """Make the sample of `make demo` where it is not there, or skip where there is nothing to make it with."""
+    """Make the sample of `make demo` if it is missing, or skip if there is nothing to make it with."""
     if not (ROOT / ".venv" / ".skyline-setup").exists() or shutil.which("make") is None:
         pytest.skip("the examples begin with make, and make setup has not been run here")
     folder = ROOT / "build" / "demo" / "sample"
@@ -28,7 +28,7 @@ def need_sample():
 
 
 def run_block(block):
-    """Run a fenced block, with the sample in place, and give the finished process."""
+    """Run a fenced block, with the sample in place, and return the finished process."""
     need_sample()
     if block.code not in _FINISHED:
         _FINISHED[block.code] = _run(block)

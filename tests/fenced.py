@@ -11,7 +11,7 @@ NOT_RUN = re.compile(r"<!-- not run by the tests: [^\n]+ -->\n$")
 
 @dataclass(frozen=True)
 class Block:
-    """One block: page and line for messages, language, code, and whether the page asks not to run it."""
+    """One block: page and line for messages, language, code, and whether the page excludes it from running."""
 
     page: str
     line: int

@@ -1,11 +1,11 @@
-"""Run every algorithm under a handicap, in a process of its own.
+"""Run every algorithm under a handicap, in a separate process.
 
     handicaps.py MODE SCENE FOLDER [ALGORITHM...]
 
 MODE `offline` runs each algorithm with all its outputs in FOLDER, and any attempt to open an internet socket ends the
-process with SIGSYS. The other modes run it once for each output, which cannot be written: `full` (FOLDER lies on a disk
-of its own, which is filled), `limit` (no file can grow, the next best thing where nobody may mount a disk) or `closed`
-(FOLDER becomes read-only). Prints a JSON object: for each case what was said, and what has become of the results.
+process with SIGSYS. The other modes run it once for each output, which cannot be written: `full` (FOLDER is on a
+separate disk, which is filled), `limit` (no file can grow, the closest alternative if mounting a disk is not allowed)
+or `closed` (FOLDER becomes read-only). Prints a JSON object: for each case the message, and the state of the results.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ def main():
     cases = {name: given for name, given in inputs().items() if not CHOSEN or name in CHOSEN}
     print(json.dumps(run_offline(provider, cases) if MODE == "offline" else run_spoiled(provider, cases)))
     sys.stdout.flush()
-    os._exit(0)  # QGIS's own farewell is not what is tested
+    os._exit(0)  # the exit of QGIS itself is not under test
 
 
 def run_offline(provider, cases):
-    """Run each algorithm with all outputs; gives {algorithm: (message, paths of the outputs)}."""
+    """Run each algorithm with all outputs and return {algorithm: (message, paths of the outputs)}."""
     forbid_internet()
     found = {}
     for name, given in cases.items():
@@ -57,12 +57,12 @@ def run_offline(provider, cases):
 
 
 def run_spoiled(provider, cases):
-    """Run each algorithm once for each output; gives {algorithm:output: as `one_case` does}."""
+    """Run each algorithm once for each output and return {algorithm:output: result of `one_case`}."""
     spoil_folder([path_of(provider.algorithm(name), output) for name in cases for output in outputs_of(provider, name)])
     found = {}
     for name, given in cases.items():
         outputs = outputs_of(provider, name)
-        # Only the outputs that every run has need a place; the others are left out.
+        # Only the outputs that every run has need a path; the others are left out.
         others = {item.name(): "TEMPORARY_OUTPUT" for item in outputs if not is_optional(item)}
         for output in outputs:
             found[f"{name}:{output.name()}"] = one_case(provider.algorithm(name), {**given, **others}, output)
@@ -87,7 +87,7 @@ def path_of(algorithm, output):
 
 
 def spoil_folder(paths):
-    """Put older results in place; then take the room, or the right to write."""
+    """Put older results in place; then remove the free space, or the right to write."""
     for path in paths:
         if path.suffix:
             path.write_bytes(OLDER)
@@ -95,16 +95,16 @@ def spoil_folder(paths):
         FOLDER.chmod(0o555)
     if MODE == "full":
         with suppress(OSError), open(FOLDER / "filler", "wb", buffering=0) as file:
-            for _ in range(10_000):  # a small disk; a large one would be somebody's own
+            for _ in range(10_000):  # a small disk; a large one could belong to somebody
                 file.write(bytes(4096))
 
 
 def one_case(algorithm, parameters, output):
-    """Run with one output in FOLDER; gives (message, whether the older result is as it was, what is new)."""
+    """Run with one output in FOLDER and return (message, whether the older result is unchanged, new files)."""
     path, before = path_of(algorithm, output), set(FOLDER.rglob("*"))
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     if MODE == "limit":
-        sys.dont_write_bytecode = True  # Python would keep half a module, and fall over it next time
+        sys.dont_write_bytecode = True  # Python would leave half a module, and fail on it next time
         resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT_BYTES, limits[1]))
     said = run(algorithm, {**parameters, output.name(): str(path)})
     resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -113,7 +113,7 @@ def one_case(algorithm, parameters, output):
 
 
 def run(algorithm, parameters):
-    """Run, and give what was said; layers that QGIS would load are let go."""
+    """Run and return the message; layers that QGIS would load are released."""
     import processing
     from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
@@ -128,9 +128,9 @@ def run(algorithm, parameters):
 
 
 def forbid_internet():
-    """Have the kernel end this process, all threads of it, at the first socket of an internet family.
+    """Make the kernel end this process, with all its threads, at the first socket of an internet family.
 
-    A seccomp filter, for what Python itself can block are Python's sockets only. Ends with 77 where that is refused.
+    This is a seccomp filter, since Python itself can block only Python's sockets. Exits with 77 if that is refused.
     """
     audit, seccomp, socket = {"x86_64": (0xC000003E, 317, 41), "aarch64": (0xC00000B7, 277, 198)}.get(
         platform.machine(), (0, 0, 0)
@@ -157,7 +157,7 @@ def forbid_internet():
 
 
 def inputs():
-    """Parameters of each algorithm, for a job as small as can be."""
+    """Parameters of each algorithm, for a job as small as possible."""
     from qgis.PyQt.QtCore import QVariant
 
     scene = json.loads((SCENE / "scene.json").read_text())

@@ -1,7 +1,7 @@
-"""The sentences that the program tells a user, read from its source.
+"""The sentences that the program shows to a user, read from its source.
 
-Variable parts are an ellipsis. A sentence is a `Message`; or, in the shell, a `tr(...)` where something is raised,
-refused by a `..._fault` or warned of.
+Variable parts become an ellipsis. A sentence is a `Message` or, in the shell, a `tr(...)` that is raised, returned by a
+`..._fault` function or shown as a warning.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ WARNING = {"warn", "pushWarning", "reportError"}
 
 
 def sentences():
-    """(where, sentence) of every sentence, be it the reason in another; names of things and the like are left out."""
+    """(where, sentence) of every sentence, including reasons inside others; names and the like are left out."""
     found = messages()
     for where, tree in _trees("algorithms"):
         for node in ast.walk(tree):
@@ -55,6 +55,6 @@ def _trees(folder):
 
 
 def _name(node):
-    """Name that a call calls, or an empty string."""
+    """Name of the function that a call calls, or an empty string."""
     function = getattr(node, "func", None) if isinstance(node, ast.Call) else None
     return getattr(function, "id", getattr(function, "attr", ""))

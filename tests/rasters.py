@@ -8,7 +8,7 @@ from skyline_viewshed.core.base.terrain import Window
 
 
 def make_tif(path, values, geotransform=(600_000, 30, 0, 5_100_000, 0, -30), crs="EPSG:32632", nodata=None, **extra):
-    """Write a raster with GDAL alone, so that our own writer proves nothing here."""
+    """Write a raster with GDAL alone, so that the tests do not depend on our own writer."""
     values = np.asarray(values)
     code = {"int16": gdal.GDT_Int16, "float32": gdal.GDT_Float32, "float64": gdal.GDT_Float64, "uint8": gdal.GDT_Byte,
             "int32": gdal.GDT_Int32}[values.dtype.name]  # fmt: skip

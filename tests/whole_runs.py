@@ -1,4 +1,4 @@
-"""Runs of the whole pipeline in a process of their own, shared by tests of what they leave behind."""
+"""Runs of the whole pipeline in a separate process, shared by tests of the files that they leave behind."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ def outputs_in(folder):
 
 
 def arguments(photos, dem, outputs):
-    """What `qgis_process` is called with."""
+    """Arguments of a `qgis_process` call."""
     given = {"FOLDER": photos, "DEM": dem, "MAX_DISTANCE": 8000, **outputs}
     pairs = [f"{name}={value}" for name, value in given.items()]
     return ["run", "skylineviewshed:photoviewshed", "--", *pairs]
 
 
 def rows_of(path):
-    """Attributes of all features of a layer; none where there is no layer."""
+    """Attributes of all features of a layer; none if there is no layer."""
     ogr = pytest.importorskip("osgeo.ogr")
     source = ogr.Open(str(path))
     return [feature.items() for feature in source.GetLayer(0)] if source and source.GetLayerCount() else []
 
 
 def as_from_a_terminal():
-    """Undo what a shell does to its background jobs, in which these tests may run: they do not hear SIGINT."""
+    """Undo a shell's settings for background jobs, in which these tests may run: such jobs ignore SIGINT."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)

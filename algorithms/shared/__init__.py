@@ -1,1 +1,1 @@
-"""What the algorithms share: parameters, fields, outputs, styling and messages."""
+"""The code that the algorithms share: parameters, fields, outputs, styling and messages."""

@@ -28,7 +28,7 @@ def coverage_specs():
 
 
 def coverage_window(dem, photos, reach_m, geometries):
-    """Part of the DEM that can matter: the area's box, else the box of everything within reach of a photo."""
+    """Part of the DEM that can matter: the area's bounding box, or else that of everything within reach of a photo."""
     if geometries is not None:
         x0, dx, _, y0, _, dy = dem.geotransform
         boxes = [geometry.boundingBox() for geometry in geometries]
@@ -48,7 +48,7 @@ def coverage_window(dem, photos, reach_m, geometries):
 def area_mask(dem, window, geometries):
     """Cells of the window whose centre lies in one of the polygons; None for all.
 
-    Even-odd by scan lines: each ring's edges flip the cells to the right of where they cross a row of centres.
+    Even-odd rule by scan lines: each ring's edges flip the cells to the right of where they cross a row of centres.
     """
     if geometries is None:
         return None
@@ -75,7 +75,7 @@ def _flip(flips, col, row):
 
 
 def write_coverage(algorithm, parameters, context, coverage, dem, feedback):
-    """Write the raster of counts, and that of sampling distances where it is wanted; gives both paths."""
+    """Write the raster of counts and, if requested, that of sampling distances; return both paths."""
     from ...core.io.write_raster import RasterLayout, write_raster
 
     path = algorithm.parameterAsOutputLayer(parameters, "OUTPUT", context)

@@ -1,4 +1,4 @@
-"""Writing a mosaic of draped photos: only the box that has colour, strip by strip."""
+"""Writing of a mosaic of draped photos: only the box that has colour, strip by strip."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .outputs import make_folder_of
 
 @dataclass(frozen=True)
 class FinerGrid:
-    """The DEM's grid with each cell divided."""
+    """The DEM's grid with each cell subdivided."""
 
     shape: tuple
     crs_wkt: str
@@ -32,7 +32,7 @@ def finer_grid(dem, refine):
 
 
 def write_draped(path, gsd_path, mosaic, dem, feedback):
-    """Write colours, and sampling distances where a path is given; gives the number of cells with colour.
+    """Write colours and, if a path is given, sampling distances; return the number of cells with colour.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The DEM parameter: from the raster layer that QGIS knows to the terrain that the core reads."""
+"""The DEM parameter: from the raster layer in QGIS to the terrain that the core reads."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from .i18n import tr
 
 @dataclass(frozen=True)
 class DemSource:
-    """What must be known of the DEM outside QGIS's main thread.
+    """The properties of the DEM that must be known outside QGIS's main thread.
 
     Attributes
     ----------
     path : str
-        As GDAL opens it.
+        Path as GDAL opens it.
     band : int
-        From 1.
+        Number of the band, from 1.
     crs : QgsCoordinateReferenceSystem
-        As QGIS has it.
+        CRS of the layer in QGIS.
     assigned : str or None
-        WKT of that, where the user has assigned it in place of the file's own.
+        WKT of that CRS if the user has assigned it in place of the file's own.
     """
 
     path: str
@@ -32,7 +32,7 @@ class DemSource:
     assigned: str | None = None
 
     def open(self):
-        """Open it as the core's `Dem`; raises `TerrainError`."""
+        """Open the DEM as the core's `Dem`; raises `TerrainError`."""
         from ...core.io.raster import open_dem
 
         return open_dem(self.path, self.band, self.assigned)
@@ -54,7 +54,7 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND"):
 
 
 def assigned_crs(layer):
-    """WKT of the layer's CRS where it is not the one that its file says, else None."""
+    """WKT of the layer's CRS if it differs from the one in its file, else None."""
     own = QgsRasterLayer(layer.source(), "own", "gdal").crs()
     if not layer.crs().isValid() or layer.crs() == own:
         return None
@@ -62,7 +62,7 @@ def assigned_crs(layer):
 
 
 def dem_fault(algorithm, parameters, context, name="DEM", band="BAND"):
-    """Sentence on why the DEM cannot serve, or None; opens it, which costs milliseconds."""
+    """Sentence on why the DEM is unusable, or None; opens it, which takes milliseconds."""
     try:
         dem_source(algorithm, parameters, context, name, band).open()
     except TerrainError as error:

@@ -1,4 +1,4 @@
-"""QGIS's feedback as the core's Progress."""
+"""An adapter from QGIS's feedback to the core's Progress."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .i18n import in_users_language, tr
 
 @dataclass(frozen=True)
 class FeedbackProgress:
-    """Pass fractions on to a `QgsProcessingFeedback` and the wish to stop back to the core."""
+    """Pass progress on to a `QgsProcessingFeedback`, and cancellation back to the core."""
 
     feedback: Any
 
@@ -19,13 +19,13 @@ class FeedbackProgress:
         self.feedback.setProgress(100.0 * fraction)
 
     def cancelled(self):
-        """Tell whether the user pressed Cancel."""
+        """Return whether the user pressed Cancel."""
         return self.feedback.isCanceled()
 
 
 @dataclass(frozen=True)
 class StillProgress:
-    """Progress of work that has no share of the bar: moves nothing, but can be cancelled."""
+    """Progress of work that has no share of the bar: it moves nothing, but can be cancelled."""
 
     feedback: Any
 
@@ -33,15 +33,18 @@ class StillProgress:
         """Leave the bar where it is."""
 
     def cancelled(self):
-        """Tell whether the user pressed Cancel."""
+        """Return whether the user pressed Cancel."""
         return self.feedback.isCanceled()
 
 
 def announce(feedback, name, index, count):
-    """Say which photo or point the run is at."""
+    """Report which photo or point is being processed."""
     feedback.setProgressText(tr("{name} ({number}/{count})").format(name=name, number=index + 1, count=count))
 
 
 def warn(feedback, name, message):
-    """Say that one photo or point has a fault while the batch goes on; `message` is translated if it is a `Message`."""
+    """Warn that one photo or point has a fault while the batch continues.
+
+    `message` is translated if it is a `Message`.
+    """
     feedback.pushWarning(f"{name}: {in_users_language(message)}")

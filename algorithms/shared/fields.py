@@ -1,4 +1,4 @@
-"""The attributes we write: names (a contract, at most 10 characters), types, and aliases with units."""
+"""The attributes that we write: names (a contract, at most 10 characters), types, and aliases with units."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def qgis_fields(specs):
 
 
 def joined_fields(source_fields, specs):
-    """All source fields plus ours; ours take the place of source fields of the same name.
+    """All source fields plus ours, which replace source fields of the same name.
 
     Returns
     -------
@@ -56,14 +56,14 @@ def joined_fields(source_fields, specs):
 
 
 def is_null(value):
-    """Tell a missing attribute: None, QVariant's NULL (not None on Qt5) or an empty text."""
+    """Return whether an attribute is missing: None, QVariant's NULL (not None on Qt5) or an empty text."""
     if value is None or (isinstance(value, str) and not value.strip()):
         return True
     return isinstance(value, QVariant) and value.isNull()
 
 
 def number_or_none(value):
-    """Give a number, or None for NULL, empty text and what is not a finite number."""
+    """Return a number, or None for NULL, empty text and any value that is not a finite number."""
     if is_null(value):
         return None
     try:

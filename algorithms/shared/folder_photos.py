@@ -1,4 +1,4 @@
-"""Photographs from a folder or from a layer, as rows of one kind."""
+"""Photographs from a folder or from a layer, as rows of one type."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from .photo_attributes import attributes_of, photos_in, point_of
 
 @dataclass(frozen=True)
 class PhotoRows:
-    """Photographs to orient, and how their output layer looks.
+    """Photographs to orient, and the structure of their output layer.
 
     Attributes
     ----------
     rows : list of PointRow
     fields : QgsFields
-        The source's and ours.
+        Fields of the source, and ours.
     kept : list of int
-        Indices of the source's fields that stay.
+        Indices of the source's fields that are kept.
     wkb_type : QgsWkbTypes.Type
     crs : QgsCoordinateReferenceSystem
     """
@@ -43,7 +43,7 @@ class PhotoRows:
 
 
 def folder_fault(algorithm, parameters, context):
-    """Sentence on a missing or doubled choice of photographs, or None."""
+    """Sentence on a missing or duplicate choice of photographs, or None."""
     folder = algorithm.parameterAsString(parameters, "FOLDER", context)
     layer = parameters.get("INPUT")
     if not folder and is_null(layer):
@@ -72,7 +72,7 @@ def photo_rows(algorithm, parameters, context, feedback):
 
 
 def read_files(paths, fields, feedback):
-    """Rows of all files; thousands of them take a while, so that cancelling must work here too."""
+    """Rows of all files; thousands of them take a while, so cancelling must work here too."""
     progress, rows = FeedbackProgress(feedback), []
     for index, path in enumerate(paths):
         checkpoint(progress, 0.0)
@@ -81,7 +81,7 @@ def read_files(paths, fields, feedback):
 
 
 def file_row(path, index, fields):
-    """Row of one file; one that cannot be read has its path alone, and orientation will say why."""
+    """Row of one file; an unreadable file has only its path, and the orientation reports the reason."""
     from ...core.io.photo import read_metadata
 
     feature = QgsFeature(fields, index + 1)

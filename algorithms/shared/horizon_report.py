@@ -1,4 +1,4 @@
-"""The report of horizon profiles, written place by place, appearing whole at the end."""
+"""The report of horizon profiles, written place by place and published complete at the end."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class HorizonReport:
     Parameters
     ----------
     algorithm, parameters, context
-        As in `processAlgorithm`; the report goes to the parameter `REPORT`, where that is wanted.
+        As in `processAlgorithm`; the report goes to the parameter `REPORT`, if requested.
     """
 
     def __init__(self, algorithm, parameters, context):
@@ -56,5 +56,5 @@ class HorizonReport:
             self._writer.add_failed(row.name, in_users_language(message))
 
     def outputs(self):
-        """Give the output's name and path."""
+        """Return the output's name and path."""
         return {"REPORT": self.path} if self.path else {}

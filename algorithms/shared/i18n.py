@@ -1,4 +1,4 @@
-"""Translation of what the user reads. Every string stands as a literal inside `tr`, where the catalogue finds it."""
+"""Translation of the text that the user reads. Every string is a literal inside `tr`, where the catalogue finds it."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ CONTEXT = "SkylineViewshed"
 
 
 def tr(text):
-    """Give `text`, a literal, in the user's language."""
+    """Return `text`, a literal, in the user's language."""
     return marked(text)
 
 
 def mark(text):
-    """Put a literal into the catalogue that `marked` translates later, when it is shown."""
+    """Put a literal into the catalogue; `marked` translates it later, when it is shown."""
     return text
 
 
 def marked(text):
-    """Give a text that `mark` put into the catalogue in the user's language."""
+    """Return a text that `mark` put into the catalogue in the user's language."""
     return QCoreApplication.translate(CONTEXT, text)
 
 
 def in_users_language(text):
-    """Give a `Message` in the user's language, with the messages among its facts; any other text as it is."""
+    """Return a `Message` in the user's language, with the messages among its facts; return any other text unchanged."""
     if not isinstance(text, Message):
         return text
     facts = {name: in_users_language(fact) for name, fact in text.facts.items()}

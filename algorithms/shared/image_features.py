@@ -1,4 +1,4 @@
-"""Map features in the pixels of one photo after the other."""
+"""Map features in the pixels of one photo after another."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .i18n import tr
 from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
 
 AREA_SAMPLE_PX = 6.0
-"""Net in which an area is asked for its visible share, at its nearest point [pixels]."""
+"""Spacing of the grid on which an area's visible share is sampled, at its nearest point [pixels]."""
 
 
 def _common_specs():
@@ -78,7 +78,7 @@ class ImageFeatures:
             )
 
     def add(self, photo):
-        """Project all features into one photo; gives named points and strokes for its picture."""
+        """Project all features into one photo and return named points and strokes for its picture."""
         named, strokes = [], []
         for identifier, name, geometry in self._features:
             kind = kind_of(geometry)
@@ -153,7 +153,7 @@ def _visible_length(parts, runs):
 
 
 def _on_picture(x_px, y_px):
-    """Place on the picture as QGIS shows it: from the corner, y negative downwards."""
+    """Position on the picture as QGIS shows it: from the corner, with y negative downwards."""
     return QgsPointXY(x_px + 0.5, -(y_px + 0.5))
 
 

@@ -1,4 +1,4 @@
-"""Folder in which a run keeps each photo's orientation, so that a repeated run does not find it anew."""
+"""The folder in which a run stores each photo's orientation, so that a repeated run does not compute it again."""
 
 from __future__ import annotations
 
@@ -20,14 +20,15 @@ def orientations_out(name="ORIENTATIONS"):
 
 
 class KeptOrientations:
-    """Orients photographs, or takes from the folder what an earlier run has found.
+    """Orients photographs, or reads the result of an earlier run from the folder.
 
-    Failures are not kept: they are found fast, and their cause may lie outside the photo, as a missing package.
+    Failures are not stored: they are quick to find, and their cause may lie outside the photo, such as a missing
+    package.
 
     Parameters
     ----------
     folder : str
-        Empty where not wanted.
+        Empty if not requested.
     feedback : QgsProcessingFeedback
     """
 
@@ -35,7 +36,7 @@ class KeptOrientations:
         self.folder, self.feedback, self._taken = folder, feedback, set()
 
     def orient(self, request, dem, options, cache, progress):
-        """Give the `OrientedPhoto` of a request; see `core.batch.orient_request`."""
+        """Return the `OrientedPhoto` of a request; see `core.batch.orient_request`."""
         from ...core.batch import orient_request
         from ...core.io.orientation_file import orientation_mark, packed, unpacked
 

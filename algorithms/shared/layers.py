@@ -1,4 +1,4 @@
-"""Reading photo points: position, path and numbers of each feature."""
+"""Reading of photo points: position, path and numbers of each feature."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .fields import is_null, number_or_none
 from .i18n import tr
 
 PATH_FIELDS = ("photo", "path", "filepath", "file", "relpath", "image", "filename")
-"""Where other importers keep the path; the first that the layer has is taken when no field is chosen."""
+"""Fields in which other importers store the path; if no field is chosen, the first one that the layer has is used."""
 
 
 @dataclass(frozen=True)
@@ -30,13 +30,13 @@ class PointRow:
     ----------
     feature : QgsFeature
     name : str
-        For messages: the photo's name, or the feature's number.
+        Name for messages: that of the photo, or the feature's number.
     longitude_deg, latitude_deg : float or None
         WGS 84 [degrees]; None without a usable geometry.
     path : str or None
-        Of the photograph.
+        Path of the photograph.
     numbers : dict
-        Value of each field asked for; None where NULL.
+        Value of each requested field; None if NULL.
     """
 
     feature: QgsFeature
@@ -48,7 +48,7 @@ class PointRow:
 
 
 def read_points(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=(), needs_position=True):
-    """Read the features of a point parameter, the selected ones where the user asked for those.
+    """Read the features of a point parameter, only the selected ones if the user chose so.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
     number_fields : sequence of str
         Names of field parameters; a NULL or an empty choice gives None.
     needs_position : bool
-        False where the place does not matter, so that a table without geometry serves too.
+        False if the position does not matter, so that a table without geometry is accepted too.
 
     Returns
     -------
@@ -84,7 +84,7 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
 
 
 def points_fault(algorithm, parameters, context, name="INPUT", path_field=None, number_fields=()):
-    """Sentence on why a point parameter cannot serve (no CRS, no such field), or None."""
+    """Sentence on why a point parameter is unusable (no CRS, no such field), or None."""
     source = algorithm.parameterAsSource(parameters, name, context)
     if source is None:
         return None
@@ -100,7 +100,7 @@ def points_fault(algorithm, parameters, context, name="INPUT", path_field=None, 
 
 
 def label_of(feature):
-    """Name of a point for messages: its photo's, where it has one, else its number."""
+    """Name of a point for messages: that of its photo, if it has one, else its number."""
     for name in ("photo", "filename", "name"):
         index = feature.fields().lookupField(name)
         if index >= 0 and not is_null(feature[index]):
@@ -109,7 +109,7 @@ def label_of(feature):
 
 
 def number_column(algorithm, parameters, context, source, name):
-    """Field of a parameter, or None: none chosen, or a default that this layer does not have."""
+    """Field of a parameter; None if none is chosen, or if it is a default that this layer does not have."""
     chosen = algorithm.parameterAsString(parameters, name, context)
     if not chosen or source.fields().lookupField(chosen) >= 0:
         return chosen or None
@@ -140,14 +140,14 @@ def position_of(feature, to_wgs84):
         point = to_wgs84.transform(point)
     except QgsCsException:
         return None, None
-    # 0/0 is what cameras and importers write that have no position.
+    # 0/0 is what cameras and importers write if they have no position.
     if point.isEmpty() or (point.x() == 0 and point.y() == 0) or abs(point.y()) > 90:
         return None, None
     return point.x(), point.y()
 
 
 def path_column(algorithm, parameters, context, source, name):
-    """Field with the photo's path: as chosen, else the first of `PATH_FIELDS` that the layer has."""
+    """Field with the photo's path: the chosen one, or the first of `PATH_FIELDS` that the layer has."""
     chosen = algorithm.parameterAsString(parameters, name, context)
     names = {field.name().lower(): field.name() for field in source.fields()}
     if chosen and chosen.lower() in names:
@@ -161,7 +161,7 @@ def path_column(algorithm, parameters, context, source, name):
 
 
 def base_folders(algorithm, parameters, context, name):
-    """Folders from which a relative path may count: the layer's, then the project's."""
+    """Folders to which a path may be relative: the layer's, then the project's."""
     folders = []
     layer = algorithm.parameterAsVectorLayer(parameters, name, context)
     if layer is not None and layer.dataProvider() is not None:

@@ -1,4 +1,4 @@
-"""Legends of the styles in the user's language: the QML files say them in English."""
+"""Legends of the styles in the user's language; the QML files are in English."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ ENTRIES = (
     mark("seen, 100 m or more to spare"),
     mark("1 (open sky)"),
 )
-"""What the files in `styles/` say; numbers and units need no translation."""
+"""The legend texts of the files in `styles/`; numbers and units need no translation."""
 
 
 def translate_legend(layer):
-    """Put a layer's legend into the user's language, after its style has been loaded."""
+    """Translate a layer's legend into the user's language, after its style has been loaded."""
     renderer = layer.renderer()
     if isinstance(renderer, QgsCategorizedSymbolRenderer):
         for index, category in enumerate(renderer.categories()):
@@ -53,6 +53,6 @@ def translate_legend(layer):
 
 
 def translated_style(text):
-    """Text of a style file with the legend of its colours in the user's language."""
+    """Return the text of a style file with the legend of its colours in the user's language."""
     pattern = r'(?<=<item )([^>]*label=)"([^"]*)"'
     return re.sub(pattern, lambda found: found.group(1) + quoteattr(marked(found.group(2))), text)

@@ -1,4 +1,4 @@
-"""Places between three systems: a layer's coordinates, the DEM's, and the local metres around an eye."""
+"""Conversion of places between three systems: a layer's coordinates, the DEM's, and the local metres around an eye."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .i18n import tr
 
 
 def to_dem_transform(crs, dem_crs, context):
-    """Transformation from a layer's CRS to the DEM's, or a clear refusal."""
+    """Return the transformation from a layer's CRS to the DEM's, or raise a clear error."""
     if not crs.isValid():
         raise QgsProcessingException(
             tr("A layer has no coordinate reference system. Assign the right one in the layer's properties.")
@@ -31,7 +31,7 @@ def map_of_local(dem, frame, east_m, north_m):
 
 
 def transformed(geometry, transform):
-    """Copy of a geometry in the transform's target, or None where it cannot be transformed."""
+    """Copy of a geometry in the transform's target, or None if it cannot be transformed."""
     copy = QgsGeometry(geometry)
     try:
         copy.transform(transform)
@@ -67,11 +67,11 @@ def _xyz(vertices, with_z):
 
 
 def kind_of(geometry):
-    """'point', 'line' or 'polygon' of a geometry."""
+    """Return 'point', 'line' or 'polygon' for a geometry."""
     return ("point", "line", "polygon")[int(geometry.type())]
 
 
 def number(value):
-    """Give a float that QGIS stores; None for NaN and infinity."""
+    """Return a float that QGIS stores; None for NaN and infinity."""
     value = float(value)
     return value if np.isfinite(value) else None

@@ -1,4 +1,4 @@
-"""Placing drawn features of one photo after the other on the map, with their errors in plain numbers."""
+"""Placing of drawn features on the map, one photo after another, with their errors as plain numbers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .map_places import map_of_local, number
 
 ELLIPSE_CORNERS = 48
 JUMP_RATIO = 1.35
-"""Neighbouring places along a drawn line whose distances differ by more lie on two surfaces."""
+"""Neighbouring places along a drawn line lie on two surfaces if their distances differ by more than this factor."""
 
 
 def point_specs():
@@ -82,9 +82,9 @@ class MapFeatures:
     drawn : list of PixelFeature
     options : SightOptions
     coverage : float
-        Of the ellipses.
+        Probability that an ellipse contains the true place.
     step_px : float
-        Along lines and outlines [pixels].
+        Step along lines and outlines [pixels].
     """
 
     def __init__(self, terrain, drawn, options, coverage, step_px):
@@ -95,11 +95,11 @@ class MapFeatures:
 
     @property
     def count(self):
-        """Features written."""
+        """Number of features written."""
         return len(self.points) + len(self.lines) + len(self.polygons)
 
     def add(self, photo, feedback):
-        """Place what was drawn on one photo."""
+        """Place the features drawn on one photo."""
         from ...core.base.pixel_features import for_photo
 
         mine = for_photo(self.drawn, photo.path or photo.name)
@@ -202,7 +202,7 @@ def _errors(ellipse, k):
 
 
 def _followed(points, step_px, closed):
-    """Places along a chain of pixels, a step apart; a ring comes back to its first."""
+    """Positions along a chain of pixels, one step apart; a ring returns to its first."""
     points = np.vstack([points, points[:1]]) if closed else np.asarray(points, float)
     length = np.hypot(*np.diff(points, axis=0).T)
     pieces = np.maximum(np.ceil(length / step_px), 1).astype(int)
@@ -236,7 +236,7 @@ def _lines(pieces):
 
 
 def _polygon(pieces):
-    """Outer ring and holes as one multipolygon; the first ring is the outer one."""
+    """Make one multipolygon of the outer ring and the holes; the first ring is the outer one."""
     rings = [ring for part in pieces for ring in part]
     if not rings:
         return None, 0

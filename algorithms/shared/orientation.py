@@ -1,4 +1,4 @@
-"""Orienting the photographs of a layer: the parameters, the requests, the loop. Two algorithms share it."""
+"""Orientation of the photographs of a layer: parameters, requests, and the loop, shared by two algorithms."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULT_TOLERANCE_DEG = 20.0
 
 
 def add_field_parameters(algorithm):
-    """Declare the fields that may replace what the file or the DEM say."""
+    """Declare the fields that may replace values of the file or the DEM."""
     algorithm.addParameter(
         shared.advanced(
             shared.number_field(
@@ -61,7 +61,7 @@ def add_terrain_parameters(algorithm):
 
 
 def add_altitude_parameter(algorithm):
-    """Declare whether the recorded altitude is trusted."""
+    """Declare whether the recorded altitude is used."""
     parameter = QgsProcessingParameterBoolean("USE_ALTITUDE", tr("Camera at the recorded altitude"), False)
     text = tr(
         "For towers, cable cars and drones: uses the altitude in the file, if it counts from sea level, "
@@ -84,7 +84,7 @@ def oriented_out(name="OUTPUT"):
 
 
 def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
-    """Options of the core from the parameters; `horizon_distance` names the one with the search range."""
+    """Options of the core from the parameters; `horizon_distance` names the parameter with the search range."""
     from ...core.pipeline import OrientOptions
 
     horizon = HorizonOptions(
@@ -99,7 +99,7 @@ def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
 
 
 def requests_of(algorithm, parameters, context, rows):
-    """One `PhotoRequest` per row; None where the row names no photo."""
+    """One `PhotoRequest` per row; None if the row names no photo."""
     rescue = Rescue(algorithm, parameters, context)
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
     use_altitude = algorithm.parameterAsBoolean(parameters, "USE_ALTITUDE", context)
@@ -107,7 +107,7 @@ def requests_of(algorithm, parameters, context, rows):
 
 
 def request_of(row, rescue, eye_height_m, use_altitude):
-    """What is known of one photo."""
+    """Collect the known data of one photo."""
     from ...core.batch import PhotoRequest
 
     tolerance = row.numbers.get("TOLERANCE_FIELD")
@@ -126,12 +126,12 @@ def request_of(row, rescue, eye_height_m, use_altitude):
 
 
 def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), part_of_photo=1.0):
-    """Orient one request after the other and yield each `OrientedPhoto`.
+    """Orient one request after another and yield each `OrientedPhoto`.
 
-    `folder` is that of `KeptOrientations`, `share` the loop's of the progress bar, `part_of_photo` the orientation's of
-    each photo in it.
+    `folder` is that of `KeptOrientations`, `share` is the loop's share of the progress bar, and `part_of_photo` is the
+    orientation's part of each photo's share.
 
-    A photo's fault becomes a status and a warning; cancelling says how far the run came and raises `Cancelled`.
+    A photo's fault becomes a status and a warning; cancelling reports how far the run came and raises `Cancelled`.
     """
     from ...core.batch import HorizonCache
 
@@ -145,7 +145,7 @@ def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), p
             oriented = without_photo() if request is None else kept.orient(request, dem, options, cache, part)
         except (TerrainError, OutputError):
             raise
-        except Exception:  # our own fault, but no reason to lose the other photographs
+        except Exception:  # a fault of ours, but no reason to lose the other photographs
             oriented = unforeseen(request, feedback)
         except Cancelled:
             feedback.pushWarning(
@@ -160,7 +160,7 @@ def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), p
 
 
 def unforeseen(request, feedback):
-    """Answer for a photo on which the program itself failed; the log gets the details."""
+    """Make the result for a photo on which the program itself failed; the log gets the details."""
     from ...core.base.model import Orientation, OrientedPhoto
 
     feedback.pushDebugInfo(traceback.format_exc())
@@ -169,31 +169,31 @@ def unforeseen(request, feedback):
 
 
 def without_photo():
-    """Answer for a point whose path is NULL."""
+    """Make the result for a point whose path is NULL."""
     from ...core.base.model import Orientation, OrientedPhoto
 
     return OrientedPhoto("", Orientation("failed", Message("The point names no photo. Fill its path field.")))
 
 
 def oriented_row(row, kept, oriented, max_distance_m):
-    """Geometry and attributes of an output feature: what the source had, then ours."""
+    """Geometry and attributes of an output feature: those of the source, then ours."""
     attributes = row.feature.attributes()
     geometry = row.feature.geometry() if row.feature.hasGeometry() else None
     ours = oriented_values(oriented, max_distance_m)
     for index, spec in enumerate(oriented_specs()):
         before = row.feature.fields().lookupField(spec.name)
         if spec.name in LENS_FIELDS and ours[index] is None and before >= 0:
-            ours[index] = number_or_none(attributes[before])  # a photo that failed keeps what was known of its lens
+            ours[index] = number_or_none(attributes[before])  # a photo that failed keeps the known data of its lens
     return geometry, [attributes[index] for index in kept] + ours
 
 
 def oriented_fields(source):
-    """Fields of the output and the indices of the source's that stay."""
+    """Fields of the output and the indices of the source's fields that are kept."""
     return joined_fields(source.fields(), oriented_specs())
 
 
 def summary(statuses):
-    """Counts by status, in a sentence."""
+    """Summarise the counts by status in a sentence."""
     from ...core.report.facts import STATUSES, status_word
 
     parts = [f"{statuses.count(status)} {status_word(status, marked)}" for status in STATUSES]

@@ -1,4 +1,4 @@
-"""One photo's result as attributes: the fields that orientation adds, and what each means."""
+"""One photo's result as attributes: the fields that orientation adds, and their meaning."""
 
 from __future__ import annotations
 

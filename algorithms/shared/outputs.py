@@ -1,4 +1,4 @@
-"""Writing what a run has found: vector sinks, whole files, and the folders that outputs lie in."""
+"""Writing of a run's results: vector sinks, whole files, and the folders of the outputs."""
 
 from __future__ import annotations
 
@@ -25,14 +25,15 @@ from .i18n import tr
 
 IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
 NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
-"""How destinations begin that are no plain path, as `memory:` or `postgis:`; a drive's name is one letter."""
+"""Beginnings of destinations that are not plain paths, such as `memory:` or `postgis:`; a drive's name is one
+letter."""
 
 
 def write_features(algorithm, parameters, name, context, fields, geometry_type, crs, rows):
     """Create the sink `name` and fill it.
 
-    The sink is made only now, when everything is known, so that a run that failed or was cancelled leaves none. A
-    file gets its name when it is whole; tables in databases and layers in memory are QGIS's to write.
+    The sink is created only now, when everything is known, so that a failed or cancelled run leaves none. A file gets
+    its final name when it is complete; QGIS writes tables in databases and layers in memory.
 
     Parameters
     ----------
@@ -42,12 +43,12 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     Returns
     -------
     str or None
-        Identifier of the layer; None where an optional output is not wanted.
+        Identifier of the layer; None if an optional output is not requested.
 
     Raises
     ------
     QgsProcessingException
-        Not all could be written; a file that was begun is gone again.
+        Not all features could be written; a file that was begun has been removed.
     """
     given = _destination(parameters.get(name), context)
     make_folder_of(given)
@@ -67,7 +68,7 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
 
 
 def _written(algorithm, parameters, name, context, kind, rows, path=None):
-    """Create the sink and fill it; `path` is what the user calls the file that QGIS writes elsewhere."""
+    """Create the sink and fill it; `path` is the user's name for a file that QGIS writes elsewhere."""
     fields, geometry_type, crs = kind
     try:
         sink, identifier = algorithm.parameterAsSink(parameters, name, context, fields, geometry_type, crs)
@@ -82,14 +83,17 @@ def _written(algorithm, parameters, name, context, kind, rows, path=None):
         named = parameters if path is None else {**parameters, name: str(path)}
         raise QgsProcessingException(algorithm.invalidSinkError(named, name))
     written = _fill(sink, fields, rows)
-    del sink  # closes the file, and only then is it whole
+    del sink  # closes the file, which is complete only then
     if not written or (path is not None and not _holds(identifier, len(rows))):
         raise QgsProcessingException(tr("{name} could not be written.").format(name=path or name))
     return identifier
 
 
 def _holds(identifier, count):
-    """Whether a file has all features, as far as QGIS can read its format again; a full disk shows only here."""
+    """Return whether a file has all features, if QGIS can read its format again.
+
+    A full disk shows only here.
+    """
     layer = QgsVectorLayer(identifier, "written", "ogr")
     if not layer.isValid():
         return not identifier.lower().split("|")[0].endswith(".gpkg")
@@ -97,7 +101,7 @@ def _holds(identifier, count):
 
 
 def _destination(value, context):
-    """Text of a destination, which dialogs and models wrap; None where it is none."""
+    """Text of a destination, which dialogs and models wrap; None if there is none."""
     if isinstance(value, QgsProcessingOutputLayerDefinition):
         value = value.sink
     if isinstance(value, QgsProperty):
@@ -107,7 +111,7 @@ def _destination(value, context):
 
 
 def _moved(value, path):
-    """Copy of a destination that points elsewhere and keeps what it says of format, layer's name and project."""
+    """Copy of a destination that points elsewhere and keeps its format, layer name and project."""
     if not isinstance(value, QgsProcessingOutputLayerDefinition):
         return path
     value = QgsProcessingOutputLayerDefinition(value)
@@ -116,7 +120,7 @@ def _moved(value, path):
 
 
 def _load_instead(context, old, new):
-    """Have QGIS load a layer from the place that its file has moved to."""
+    """Make QGIS load a layer from the new location of its file."""
     layers = context.layersToLoadOnCompletion()
     if old in layers:
         layers[new] = layers.pop(old)
@@ -124,7 +128,7 @@ def _load_instead(context, old, new):
 
 
 def _fill(sink, fields, rows):
-    """Add all features; False where one is refused."""
+    """Add all features; return False if one is refused."""
     for geometry, attributes in rows:
         feature = QgsFeature(fields)
         if geometry is not None:
@@ -136,7 +140,10 @@ def _fill(sink, fields, rows):
 
 
 def _without_aliases(fields):
-    """Copy of the fields; layers in memory hold no aliases, and QGIS 3.40 warns of each one that is lost."""
+    """Copy of the fields without aliases.
+
+    Layers in memory hold no aliases, and QGIS 3.40 warns of each one that is lost.
+    """
     plain = QgsFields()
     for field in fields:
         copy = QgsField(field)
@@ -147,12 +154,12 @@ def _without_aliases(fields):
 
 
 def _is_plain_file(value):
-    """Whether a destination is a file of its own; no table in a database, no layer in memory, no older .gdb folder."""
+    """Return whether a destination is a file of its own; no database table, layer in memory or older .gdb folder."""
     return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 
 
 def unused(stem, taken):
-    """File name without suffix that no earlier file of the run has; `taken` remembers the names in use."""
+    """File name without suffix that no earlier file of the run has; `taken` holds the names in use."""
     unique, number = stem, 1
     while unique.lower() in taken:
         number += 1
@@ -162,7 +169,7 @@ def unused(stem, taken):
 
 
 def make_folder_of(value):
-    """Make the folder that an output file will lie in; destinations that are no plain path are left alone.
+    """Create the folder of an output file; destinations that are not plain paths are left alone.
 
     Raises
     ------
@@ -178,7 +185,7 @@ def make_folder_of(value):
 
 
 def write_whole(path, content):
-    """Write bytes or text under a temporary name and rename; the folder is made.
+    """Write bytes or text under a temporary name, then rename; creates the folder.
 
     Raises
     ------
@@ -199,6 +206,6 @@ def write_whole(path, content):
 
 
 def unwritable(path, error):
-    """Make the `OutputError` for a file from what the system, or QGIS, has said."""
+    """Make the `OutputError` for a file from the error of the system, or of QGIS."""
     reason = getattr(error, "strerror", None) or str(error)
     return OutputError.of_file(path, reason)

@@ -14,7 +14,7 @@ from .photo_points import PoseReading, photo_point, pose_values
 from .picture_files import PictureFolder
 
 SAME_PLACE_M = 100.0
-"""Photos taken this near to a point are shown in its panorama."""
+"""Photos taken within this distance of a point are shown in its panorama."""
 
 
 class PanoramaFolder:
@@ -42,7 +42,7 @@ class PanoramaFolder:
             self.photos = read_points(algorithm, parameters, context, "PHOTOS")[1]
 
     def write(self, row, observer, panorama, options):
-        """Write one point's panorama; gives the view all round that it is drawn from."""
+        """Write one point's panorama and return the view all around from which it is drawn."""
         from ...core.base.view import open_view
         from ...core.figures.panorama import PanoramaLayout, lay_out_panorama, panorama_pixels, panorama_svg
         from ...core.figures.raster import encode_png

@@ -1,4 +1,4 @@
-"""Parameters that several algorithms share, each defined once: label, unit, range, tooltip."""
+"""Parameters that several algorithms share, each defined once: label, unit, range and tooltip."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def photo_field(parent="INPUT", name="PHOTO_FIELD"):
 
 
 def number_field(name, label, text, default=None, parent="INPUT"):
-    """Optional numeric field; NULL in it means: not given."""
+    """Optional numeric field; NULL means that no value is given."""
     return explained(
         QgsProcessingParameterField(
             name, label, default, parent, QgsProcessingParameterField.DataType.Numeric, optional=True
@@ -97,7 +97,7 @@ def band(name="BAND", parent="DEM"):
 
 
 def horizon_distance_text():
-    """Tooltip of the range in which a skyline is searched."""
+    """Tooltip of the search range of a skyline."""
     return tr(
         "Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at "
         "most 15 km."
@@ -105,7 +105,7 @@ def horizon_distance_text():
 
 
 def method(name="METHOD", text=None):
-    """Robust solver or the published method."""
+    """Choice of the robust solver or the published method."""
     return explained(
         QgsProcessingParameterEnum(
             name, tr("Method"), [tr("robust"), tr("paper (as published)")], defaultValue=METHODS.index("robust")
@@ -120,7 +120,7 @@ def method(name="METHOD", text=None):
 
 
 def compass(name="COMPASS"):
-    """Whether the recorded heading may help."""
+    """Choice whether the recorded heading may be used."""
     return explained(
         QgsProcessingParameterEnum(
             name,
@@ -137,7 +137,7 @@ def compass(name="COMPASS"):
 
 
 def distance(name, label, default, text, minimum=0.0, optional=False):
-    """Length in metres, whatever the layers' coordinate systems."""
+    """Length in metres, whatever the layers' CRS."""
     parameter = QgsProcessingParameterDistance(name, label, default, None, optional, minimum)
     parameter.setDefaultUnit(QgsUnitTypes.DistanceUnit.DistanceMeters)
     return explained(parameter, text)
@@ -191,7 +191,7 @@ def refraction(default):
 
 
 def sector(name="SECTOR"):
-    """Which directions the viewshed covers."""
+    """Choice of the directions that the viewshed covers."""
     return explained(
         QgsProcessingParameterEnum(
             name,
@@ -221,7 +221,7 @@ def raster_out(name, label, optional=False, create=True, *, text):
 
 
 def report_out(name="REPORT", create=True):
-    """HTML report, opened from the results viewer."""
+    """HTML report, which opens from the results viewer."""
     parameter = QgsProcessingParameterFileDestination(
         name, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=create
     )
@@ -237,7 +237,7 @@ def folder_out(name, label, text, optional=True, create=False):
 
 
 def folder_in(name, label, text, optional=False):
-    """Folder to read."""
+    """Folder that is read."""
     return explained(
         QgsProcessingParameterFile(name, label, QgsProcessingParameterFile.Behavior.Folder, optional=optional),
         text,

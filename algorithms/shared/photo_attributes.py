@@ -1,4 +1,4 @@
-"""What a photograph's file says, as the attributes of a point."""
+"""The metadata of a photograph's file, as the attributes of a point."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .i18n import tr
 
 
 def photos_in(folder, recursive):
-    """Paths of the photographs in a folder, or a clear refusal."""
+    """Paths of the photographs in a folder; raises a clear error if there are none."""
     from ...core.io.photo import list_photos
 
     if not Path(folder).is_dir():

@@ -1,4 +1,4 @@
-"""Points of a layer, read into posed photographs: by field values here, and nowhere else."""
+"""Conversion of a layer's points to posed photographs, by field values; this is the only place that does so."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...core.base.uncertainty import PoseUncertainty
 from .fields import number_or_none
 
 NOMINAL_WIDTH_PX = 4000
-"""Width of a picture of which only the fields of view are known; fine enough that its edges fall within a cell."""
+"""Width assumed for a picture of which only the fields of view are known; fine enough to place edges within a cell."""
 
 POSE_FIELDS = {
     "HEADING_FIELD": "heading",
@@ -25,32 +25,32 @@ POSE_FIELDS = {
     "VFOV_FIELD": "vfov",
     "HEIGHT_FIELD": "eye_z",
 }
-"""Parameter and the field that `orientphotos` writes."""
+"""Parameters, and the field that `orientphotos` writes for each."""
 
 INTERVAL_FIELDS = {"HEADING_LO_FIELD": "heading_lo", "HEADING_HI_FIELD": "heading_hi"}
 """The same for the ends of the heading's 90 % interval."""
 
 ACCURACY_FIELD = "h_acc"
-"""Radius that holds the true position with probability 0.68, as importers write it [m]."""
+"""Radius that contains the true position with probability 0.68, as importers write it [m]."""
 
 
 @dataclass(frozen=True, eq=False)
 class PhotoPoint:
-    """A point of a layer and the photograph that it stands for, as far as the point tells of it.
+    """A point of a layer and the photograph that it represents, as far as the point describes it.
 
     Attributes
     ----------
     feature : QgsFeature
     name : str
-        For messages and file names.
+        Name used in messages and file names.
     path : str or None
-        Of the photograph.
+        Path of the photograph.
     observer : Observer or None
         None without a usable position.
     heading_deg, hfov_deg, vfov_deg : float or None
-        As the point has them; a heading wedge needs no more [degrees].
+        Values of the point; a heading wedge needs no more [degrees].
     posed : PosedPhoto or None
-        None where position, pose or lens is not known.
+        None if position, pose or lens is not known.
     skyline_row_px : (width_px,) array or None
         The photograph's own skyline, above which no ground is claimed; see `PhotoFrame`.
     skyline_tolerance_deg : float
@@ -69,28 +69,28 @@ class PhotoPoint:
 
     @property
     def source_id(self):
-        """Id of the feature."""
+        """Identifier of the feature."""
         return self.feature.id()
 
     @property
     def key(self):
-        """What tells it from all other points of a run."""
+        """Key that distinguishes this point from all others of a run."""
         return self.source_id, self.path
 
 
 @dataclass(frozen=True)
 class PoseReading:
-    """What stands in for values that a point does not have.
+    """Substitutes for values that a point does not have.
 
     Attributes
     ----------
     eye_height_m : float
-        Above the DEM, for points without an elevation of the eye [m].
+        Height above the DEM, for points without an elevation of the eye [m].
     uncertainty : PoseUncertainty
-        Bettered by what a point says of its heading's interval and its position's accuracy.
+        Default uncertainty; a point's heading interval and position accuracy refine it.
     level : bool
-        An unknown pitch is 0, and an unknown vertical field of view that of a picture of 4 by 3. Otherwise a point
-        without them has no pose.
+        An unknown pitch is taken as 0, and an unknown vertical field of view as that of a 4 by 3 picture. Otherwise a
+        point without them has no pose.
     """
 
     eye_height_m: float = 1.7
@@ -99,14 +99,14 @@ class PoseReading:
 
 
 def value_of(feature, name):
-    """Finite number of a feature's field, or None where the field is missing or NULL."""
+    """Finite number of a feature's field, or None if the field is missing or NULL."""
     if not name or feature.fields().lookupField(name) < 0:
         return None
     return number_or_none(feature[name])
 
 
 def pose_values(feature, fields=POSE_FIELDS):
-    """Numbers of a point by parameter, from the fields that the parameters name; see `photo_point`."""
+    """Numbers of a point, keyed by parameter, from the fields that the parameters name; see `photo_point`."""
     names = {**INTERVAL_FIELDS, **fields, ACCURACY_FIELD: ACCURACY_FIELD}
     return {key: value_of(feature, name) for key, name in names.items()}
 
@@ -118,12 +118,12 @@ def photo_point(row, values, reading, path=None, size_px=None):
     ----------
     row : PointRow
     values : dict
-        Number or None of each of `POSE_FIELDS`, and of those of `INTERVAL_FIELDS` and of `ACCURACY_FIELD` that count.
+        Number or None for each of `POSE_FIELDS`, and for those of `INTERVAL_FIELDS` and `ACCURACY_FIELD` that apply.
     reading : PoseReading
     path : str or None
-        Of the photograph.
+        Path of the photograph.
     size_px : (width, height) or None
-        Of the upright picture, where it is known [pixels].
+        Size of the upright picture, if known [pixels].
 
     Returns
     -------
@@ -158,14 +158,14 @@ def _uncertainty(values, usual):
 
 
 def pinhole(hfov_deg, vfov_deg=None, size_px=None):
-    """Camera with these fields of view, or None where the horizontal one is unknown or no angle of a view.
+    """Camera with these fields of view, or None if the horizontal one is unknown or impossible.
 
     Parameters
     ----------
     hfov_deg, vfov_deg : float or None
         [degrees].
     size_px : (width, height) or None
-        Of the picture; a height of None, or no size at all, follows from the vertical field of view [pixels].
+        Size of the picture; a height of None, or no size at all, follows from the vertical field of view [pixels].
     """
     if not is_field_of_view(hfov_deg):
         return None
@@ -178,19 +178,19 @@ def pinhole(hfov_deg, vfov_deg=None, size_px=None):
 
 
 def is_field_of_view(angle_deg):
-    """Whether an angle is known, and one that a picture can show."""
+    """Return whether an angle is known and possible for a picture."""
     return angle_deg is not None and 0 < angle_deg < 180
 
 
 def oriented_point(row, oriented, usual):
-    """Give the point of a photo just oriented, with its whole camera.
+    """Return the point of a photo that has just been oriented, with its whole camera.
 
     Parameters
     ----------
     row : PointRow
     oriented : OrientedPhoto
     usual : PoseUncertainty
-        What is unsure beside the heading.
+        Uncertainty of everything except the heading.
     """
     posed, camera = oriented.view, oriented.camera
     if posed is not None:

@@ -1,4 +1,4 @@
-"""Annotated pictures of a run: one PNG and one SVG per photo, each whole or not there."""
+"""Annotated pictures of a run: one PNG and one SVG per photo, each complete or absent."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PREVIEW_PX = 1600
 
 
 class PictureFolder:
-    """Folder of annotated pictures; does nothing where the user wants none.
+    """Folder of annotated pictures; does nothing if none are requested.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class PictureFolder:
         return unused(stem, self._taken)
 
     def annotate(self, photo, points, strokes, feedback):
-        """Write one photo with its marks; a photo that cannot be read or drawn is warned of."""
+        """Write one photo with its marks; a photo that cannot be read or drawn gets a warning."""
         if self.folder is None:
             return
         from ...core.figures.annotate import annotate, annotation_pixels, annotation_svg

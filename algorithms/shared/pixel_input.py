@@ -1,4 +1,4 @@
-"""What was drawn on photographs, from a layer or a file, as the core's `PixelFeature`s."""
+"""Features drawn on photographs, from a layer or a file, as the core's `PixelFeature`s."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LABEL_NAMES = ("label", "name", "class")
 
 
 def add_pixel_parameters(algorithm):
-    """Declare the two ways in which drawn features may be given."""
+    """Declare the two inputs for drawn features."""
     layer = QgsProcessingParameterFeatureSource(
         "PIXELS", tr("Image features"), [QgsProcessing.SourceType.TypeVector], optional=True
     )

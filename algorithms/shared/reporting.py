@@ -1,4 +1,4 @@
-"""The HTML report of a run: written photo by photo to a temporary file, appearing whole at the end."""
+"""The HTML report of a run: written photo by photo to a temporary file and published complete at the end."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class PhotoReport:
     Parameters
     ----------
     algorithm, parameters, context
-        As in `processAlgorithm`; the report goes to the parameter `REPORT`, where that is wanted.
+        As in `processAlgorithm`; the report goes to the parameter `REPORT`, if requested.
     expected : int
-        How many photographs will come.
+        Number of photographs expected.
     """
 
     def __init__(self, algorithm, parameters, context, expected):
@@ -58,7 +58,7 @@ class PhotoReport:
             self._writer.add(in_readers_language(oriented), extras, panels)
 
     def outputs(self):
-        """Give the output's name and path."""
+        """Return the output's name and path."""
         return {"REPORT": self.path} if self.path else {}
 
 
@@ -82,7 +82,7 @@ def facts_of(algorithm, parameters, context):
 
 
 def value_in_words(algorithm, definition, parameters, context):
-    """Value of a parameter for a reader."""
+    """Value of a parameter in words."""
     name, kind = definition.name(), definition.type()
     if kind == "enum":
         return definition.options()[algorithm.parameterAsEnum(parameters, name, context)]

@@ -1,4 +1,4 @@
-"""What a user adds for photographs that fail: landmarks, drawn skylines, sky masks, matched by the photo's name."""
+"""User input for photographs that fail: landmarks, drawn skylines and sky masks, assigned by the photo's name."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MASK_SUFFIXES = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
 
 def add_rescue_parameters(algorithm):
-    """Declare the optional inputs, all below 'Advanced'."""
+    """Declare the optional inputs, all under 'Advanced'."""
     algorithm.addParameter(
         shared.advanced(
             shared.number_field(

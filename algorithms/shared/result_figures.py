@@ -1,4 +1,4 @@
-"""The figure of each result in three panels: for the report, and as PNG files where the user names a folder."""
+"""The figure of each result in three panels: for the report, and as PNG files if the user chooses a folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .picture_files import PictureFolder
 HEIGHT_PX = 480
 PREVIEW_PX = 1024
 PAUSE_S = 12 * 3600
-"""Photographs further apart in time belong to different ways [s]."""
+"""Photographs taken further apart in time than this belong to different routes [s]."""
 
 
 def figures_out(name="FIGURES"):
@@ -32,14 +32,14 @@ def figures_out(name="FIGURES"):
 
 @dataclass(frozen=True)
 class PhotoPlace:
-    """Where and when a photograph was taken.
+    """The place and time of a photograph.
 
     Attributes
     ----------
     longitude_deg, latitude_deg : float
         WGS 84 [degrees].
     time_s : float or None
-        Since any epoch, by the camera's clock [s].
+        Seconds since any epoch, by the camera's clock [s].
     """
 
     longitude_deg: float
@@ -48,7 +48,7 @@ class PhotoPlace:
 
 
 def stations_of(rows):
-    """Stations of `PointRow`s; without a usable geometry their attributes longitude and latitude serve."""
+    """Stations of `PointRow`s; for rows without a usable geometry, the attributes longitude and latitude are used."""
     found = []
     for row in rows:
         place = row.longitude_deg, row.latitude_deg
@@ -74,18 +74,18 @@ def _seconds(value):
 
 
 class ResultFigures:
-    """Draws results; does nothing where neither report nor folder is wanted.
+    """Draws results; does nothing if neither report nor folder is requested.
 
     Parameters
     ----------
     dem : core.io.raster.Dem
     folder : str
-        For the PNG files; empty for none.
+        Folder for the PNG files; empty for none.
     stations : list of PhotoPlace
-        Of all photographs, for the way between them.
+        Stations of all photographs, for the route between them.
     feedback : QgsProcessingFeedback
     for_report : bool
-        The panels are wanted even without a folder.
+        The panels are needed even without a folder.
     """
 
     def __init__(self, dem, folder, stations, feedback, for_report=False):
@@ -94,14 +94,14 @@ class ResultFigures:
         self._made = None
 
     def draw(self, point, viewshed, pixels=None):
-        """Give the panels as uint8 (h, w, 3) pixels, and write them to the folder; None where not wanted.
+        """Return the panels as uint8 (h, w, 3) pixels, and write them to the folder; None if not requested.
 
         Parameters
         ----------
         point : PhotoPoint
         viewshed : core.base.viewed.Viewshed
         pixels : uint8 (h, w, 3) array or None
-            The photograph; None reads a reduced copy of it.
+            The photograph; if None, a reduced copy is read.
         """
         if not self.wanted:
             return None
@@ -149,7 +149,7 @@ class ResultFigures:
         return ground_map(self.dem, frame, seen, [eye, *others], track_px)
 
     def _surroundings(self):
-        """The other stations as `MapObserver`s, and the way through them in pixels or None; made once."""
+        """The other stations as `MapObserver`s, and the route through them in pixels or None; computed once."""
         if self._made is None:
             self._made = self._place_stations()
         return self._made

@@ -12,7 +12,7 @@ from .outputs import make_folder_of
 from .styling import style_on_completion
 
 MARGIN_CELLS = 12_000
-"""The search range may hold so many cells: 600 MB around each tile."""
+"""Most cells in the search range: 600 MB around each tile."""
 
 NODATA = -9999.0
 
@@ -38,7 +38,7 @@ def add_sky_view_parameters(algorithm):
 
 
 def sky_view_fault(algorithm, parameters, context, source):
-    """Sentence on an extent or a range that cannot serve, or None; `source` is a `DemSource`."""
+    """Sentence on an unusable extent or range, or None; `source` is a `DemSource`."""
     if parameters.get("SKY_VIEW") is None:
         return None
     dem = source.open()
@@ -72,7 +72,7 @@ def window_of(algorithm, parameters, context, source, dem):
 
 
 def write_sky_view(algorithm, parameters, context, source, feedback, share):
-    """Write the raster tile by tile; gives its path, or None where it is not wanted."""
+    """Write the raster tile by tile and return its path, or None if it is not requested."""
     import numpy as np
 
     from ...core.horizon.sky_view import SkyViewOptions, sky_view_raster

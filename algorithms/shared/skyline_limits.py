@@ -1,4 +1,4 @@
-"""The photograph's own skyline as a limit: ground that its foreground hides is not claimed."""
+"""The photograph's own skyline as a limit: ground that the foreground hides is not claimed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .photo_points import pinhole
 
 COLUMNS = ("photo", "column", "row")
 TOLERANCE_DEG = 0.3
-"""Errors of DEM and pose move a ridge by so much in the picture."""
+"""Angle by which errors of DEM and pose may move a ridge in the picture."""
 
 
 def add_table_parameters(algorithm):
@@ -33,7 +33,7 @@ def add_table_parameters(algorithm):
 
 
 def add_own_parameters(algorithm):
-    """Declare the choice to use the skyline that the orientation has found."""
+    """Declare the choice to use the skyline found by the orientation."""
     own = QgsProcessingParameterBoolean("OWN_SKYLINE", tr("Foreground hides ground"), False)
     text = tr(
         "Ground that would appear above the photograph's own skyline is hidden by something that is not in "
@@ -44,7 +44,7 @@ def add_own_parameters(algorithm):
 
 
 def tolerance():
-    """How far above the skyline ground may appear."""
+    """Parameter for how far above the skyline ground may appear."""
     return shared.number(
         "SKYLINE_TOLERANCE",
         tr("Tolerance above the skyline (°)"),
@@ -59,7 +59,7 @@ def tolerance():
 
 
 def table_fault(algorithm, parameters, context):
-    """Sentence on a table of skylines that cannot serve, or None."""
+    """Sentence on an unusable table of skylines, or None."""
     source = algorithm.parameterAsSource(parameters, "SKYLINES", context)
     if source is None:
         return None
@@ -72,7 +72,7 @@ def table_fault(algorithm, parameters, context):
 
 
 def with_table(algorithm, parameters, context, points, feedback):
-    """Give the points their skylines out of the table; as they are where there is no table."""
+    """Give the points their skylines from the table; without a table the points stay unchanged."""
     source = algorithm.parameterAsSource(parameters, "SKYLINES", context)
     if source is None:
         return points
@@ -107,13 +107,13 @@ def lines_of(source):
 
 
 def with_line(point, columns, rows, confidence, tolerance_deg):
-    """Point with a skyline that covers the picture's whole width, from whose columns the width follows.
+    """Point with a skyline that covers the picture's whole width, which its columns determine.
 
     Parameters
     ----------
     point : PhotoPoint
     columns, rows, confidence : sequences of float
-        Of the skyline [pixels].
+        The skyline [pixels].
     tolerance_deg : float
         Ground may appear this far above it [degrees].
     """
@@ -122,13 +122,13 @@ def with_line(point, columns, rows, confidence, tolerance_deg):
     width_px = max(round(min(columns) + max(columns) + 1), 1)
     row_px = skyline_rows(columns, rows, confidence, width_px)
     posed = point.posed
-    if posed is not None and posed.camera.width_px != width_px:  # by fields of view, of a picture of unknown size
+    if posed is not None and posed.camera.width_px != width_px:  # its size was unknown
         posed = replace(posed, camera=pinhole(point.hfov_deg, point.vfov_deg, (width_px, None)))
     return replace(point, posed=posed, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
 
 
 def with_own(point, oriented, tolerance_deg):
-    """Point with the skyline that its orientation was found from; as it is where there is none."""
+    """Point with the skyline from which its orientation was found; unchanged if there is none."""
     from ...core.base.overlay_lines import skyline_line
 
     if oriented.skyline is None or oriented.camera is None:

@@ -1,4 +1,4 @@
-"""How our layers look when QGIS loads them: styles from `styles/`, aliases, layer metadata."""
+"""The appearance of our layers when QGIS loads them: styles from `styles/`, aliases and layer metadata."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ALIVE = []
 
 
 class LayerStyler(QgsProcessingLayerPostProcessorInterface):
-    """Dress one output layer after QGIS has loaded it; one instance per layer."""
+    """Style one output layer after QGIS has loaded it; one instance per layer."""
 
     def __init__(self, style, specs, title, method):
         super().__init__()
@@ -41,7 +41,7 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
         layer.triggerRepaint()
 
     def _described(self, metadata):
-        """Say in the layer's metadata how it came about: method, parameters, software."""
+        """Record in the layer's metadata how it was made: method, parameters, software."""
         parameters = "\n".join(f"{label}: {value}" for label, value in self.facts.items())
         metadata.setTitle(self.title)
         metadata.setAbstract(f"{self.method}\n{parameters}".strip())
@@ -52,18 +52,18 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
 
 
 def style_on_completion(context, identifier, style, title, specs=(), method=""):
-    """Have the layer `identifier` dressed, if QGIS is going to load it.
+    """Have the layer `identifier` styled, if QGIS is going to load it.
 
     Parameters
     ----------
     style : str
-        Of `styles/`; a name without a file leaves QGIS's own style.
+        Name in `styles/`; without a file of that name the layer keeps QGIS's own style.
     title : str
-        For the layer's metadata.
+        Title for the layer's metadata.
     specs : sequence of FieldSpec
-        Whose aliases the attributes get.
+        Fields whose aliases the attributes get.
     method : str
-        What made the layer.
+        Method that made the layer.
     """
     if identifier is None or not context.willLoadLayerOnCompletion(identifier):
         return
@@ -77,16 +77,16 @@ def style_on_completion(context, identifier, style, title, specs=(), method=""):
 
 
 def dress_file(path, style):
-    """Write a style beside a raster that lies in a folder; QGIS takes it whenever that file is loaded.
+    """Write a style beside a raster in a folder; QGIS applies it whenever that file is loaded.
 
-    A style that lies there already, perhaps the user's own, stays.
+    An existing style, perhaps the user's own, is kept.
 
     Parameters
     ----------
     path : str
-        Of the raster.
+        Path of the raster.
     style : str
-        Of `styles/`.
+        Name in `styles/`.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def dress_file(path, style):
 
 
 def tell_provenance(context, facts, software):
-    """Give the parameters of the finished run to the layers that QGIS will load."""
+    """Add the parameters of the finished run to the layers that QGIS will load."""
     for details in context.layersToLoadOnCompletion().values():
         if isinstance(details.postProcessor(), LayerStyler):
             details.postProcessor().facts, details.postProcessor().software = facts, software

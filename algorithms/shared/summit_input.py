@@ -1,4 +1,4 @@
-"""Summits from a layer or from the DEM, as one view has them."""
+"""Summits from a layer or from the DEM, as they appear in one view."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class ShownSummit:
 
     @property
     def visible(self):
-        """Whether the eye sees it."""
+        """Return whether the summit is visible from the eye."""
         return self.state == "visible"
 
 
@@ -152,7 +152,7 @@ class Summitry:
 
 
 def _importance(summit):
-    """Prominent summits first; else those that stand highest in the picture or in the world."""
+    """Rank prominent summits first, else those that are highest in the picture or above sea level."""
     if np.isfinite(summit.prominence_m):
         return (-summit.prominence_m, summit.name)
     return (-summit.elevation_deg - summit.height_m / 2000.0, summit.name)

@@ -1,4 +1,4 @@
-"""Computes viewsheds photo by photo, shares the work of photos from one place, and repeats nothing that is on disk."""
+"""Computation of viewsheds photo by photo, shared by photos from one place, and never repeated for results on disk."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from .styling import dress_file
 from .visibility import sector_of
 
 PACKED_CELLS = 500_000_000
-"""Viewsheds of more cells are held in two bits per cell."""
+"""Viewsheds of more cells than this are held at two bits per cell."""
 
 SHARED_CELLS = 100_000_000
-"""Photos from one place are swept together in windows of up to so many cells, each of which then takes four bytes."""
+"""Photos from one place are swept together in windows of up to this many cells, each of which then takes four bytes."""
 
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """One photo's viewshed to come: what it depends on, and the file that keeps it (None: none)."""
+    """One photo's viewshed to be computed: its inputs, and the file in which it is stored (None: no file)."""
 
     point: PhotoPoint
     sector: Any
@@ -33,20 +33,20 @@ class Job:
 
 
 class Viewer:
-    """Computes viewsheds, and keeps each in a file of its own where a folder is given.
+    """Computes viewsheds, and stores each in a file of its own if a folder is given.
 
-    A repeated run takes what an earlier one, perhaps killed, has finished there; a file of other settings or another
-    DEM is computed anew.
+    A repeated run reuses the results of an earlier one, perhaps killed. A file made with other settings or another DEM
+    is computed again.
 
     Parameters
     ----------
     dem : core.io.raster.Dem
     kind : str
-        Of `parameters.SECTORS`.
+        One of `algorithms.shared.parameters.SECTORS`.
     options : ViewshedOptions
     feedback : QgsProcessingFeedback
     folder : str
-        For one GeoTIFF per photo; empty where not wanted.
+        Folder for one GeoTIFF per photo; empty if not requested.
     """
 
     def __init__(self, dem, kind, options, feedback, folder=""):
@@ -54,7 +54,7 @@ class Viewer:
         self.feedback, self.folder, self._stems, self._taken_stems = feedback, folder, {}, set()
 
     def each(self, points, share=(0.0, 1.0)):
-        """Yield (point, viewshed), each whole before the next; photos from one place come together."""
+        """Yield (point, viewshed), each complete before the next; photos from one place come together."""
         progress, done = subtask(FeedbackProgress(self.feedback), *share), 0
         for group in stations(points):
             part = subtask(progress, done / len(points), (done + len(group)) / len(points))
@@ -77,12 +77,12 @@ class Viewer:
         checkpoint(progress, 1.0)
 
     def view(self, point, progress):
-        """Give one viewshed, or warn and give None."""
+        """Return one viewshed, or warn and return None."""
         job = self._job(point)
         return None if job is None else next(self._work([job], progress))
 
     def file_of(self, point, folder):
-        """Path of a photo's own GeoTIFF in a folder, which is made; of the same name in each folder."""
+        """Path of a photo's own GeoTIFF in a folder, which is created; the name is the same in each folder."""
         if point.key not in self._stems:
             self._stems[point.key] = file_stem(point, self._taken_stems)
             self._taken_stems.add(self._stems[point.key].lower())
@@ -105,7 +105,7 @@ class Viewer:
         return Job(point, sector, path, fingerprint(self.dem, point.observer, sector, self.options))
 
     def _work(self, jobs, progress):
-        """Yield the viewshed of each of one place's jobs, or warn and yield None."""
+        """Yield the viewshed of each job at one place, or warn and yield None."""
         from ...core.io.viewshed_raster import stored_facts
 
         missing = [job for job in jobs if job.path is None or stored_facts(job.path, job.mark) is None]
@@ -116,14 +116,14 @@ class Viewer:
                 try:
                     found = next(fresh if job in missing else self._sweep([job], progress))
                     self._keep(job, found)
-                except PhotoError as error:  # what one place cannot do, it can do for none of its photos
+                except PhotoError as error:  # if one place fails, it fails for all of its photos
                     fault = error
             if found is None:
                 warn(self.feedback, job.point.name, fault.message)
             yield found
 
     def _sweep(self, jobs, progress):
-        """Yield the viewsheds of jobs at one place, by one sweep where its window is not too large."""
+        """Yield the viewsheds of jobs at one place, from one sweep if its window is not too large."""
         from ...core.viewshed.station import AnyOf, station_viewsheds
         from ...core.viewshed.viewshed import FRAME_MARGIN, sector_window, viewshed
 
@@ -150,7 +150,7 @@ class Viewer:
             dress_file(job.path, "seen")
 
     def _taken(self, job):
-        """What an earlier run has left, or None where it cannot be read after all."""
+        """Result of an earlier run, or None if it cannot be read after all."""
         from ...core.base.terrain import eye_elevation_m
         from ...core.base.viewed import Viewshed
         from ...core.io.viewshed_raster import read_viewshed
@@ -168,7 +168,7 @@ class Viewer:
 
 
 def sink_for(window):
-    """Give what holds the cells of a window: bytes, or two bits each where there are very many."""
+    """Return the object that holds the cells of a window: one byte each, or two bits if there are very many."""
     from ...core.base.viewed import ArraySink
     from ...core.viewshed.viewshed import PackedSink
 
@@ -176,7 +176,7 @@ def sink_for(window):
 
 
 def stations(points):
-    """Groups of points from exactly one place and height, in the order of their first."""
+    """Groups of points from exactly one place and height, in the order of their first point."""
     groups = {}
     for point in points:
         groups.setdefault(point.observer, []).append(point)
@@ -184,6 +184,6 @@ def stations(points):
 
 
 def file_stem(point, taken):
-    """Name for a photo's own raster that is not yet taken."""
+    """Name for a photo's own raster that is not in use yet."""
     stem = Path(point.path).stem if point.path else f"point_{point.source_id}"
     return unused(stem, taken)

@@ -1,4 +1,4 @@
-"""Oriented photo points as views on a DEM: the parameters, and the loop that opens one view after the other."""
+"""Oriented photo points as views on a DEM: the parameters, and the loop that opens one view after another."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ from .photo_points import POSE_FIELDS, PoseReading, is_field_of_view, photo_poin
 
 @dataclass(frozen=True)
 class Opening:
-    """How a run opens its views.
+    """Settings for opening the views of a run.
 
     Attributes
     ----------
     max_distance_m : float
-        Reach of the views [m].
+        Range of the views [m].
     share : (float, float)
         Part of the progress bar.
     pixels : bool
-        The run tells pixels, so that a picture of unknown size is worth a warning.
+        The run outputs pixels, so that a picture of unknown size deserves a warning.
     uncertainty : PoseUncertainty
-        Of a photograph whose point does not say more.
+        Uncertainty of a photograph whose point does not state it.
     """
 
     max_distance_m: float
@@ -49,17 +49,17 @@ class OpenedPhoto:
     Attributes
     ----------
     feature : QgsFeature
-        Its point.
+        Point of the photograph.
     name : str
-        For messages and file names.
+        Name used in messages and file names.
     path : str or None
-        Of the photograph.
+        Path of the photograph.
     view : core.base.view.View
     terrain : core.base.terrain.Terrain
     sized : bool
-        The picture's size is known, so that pixels mean something; else only its shape.
+        The picture's size is known, so that pixels are meaningful; otherwise only its shape is known.
     progress : core.base.progress.Progress
-        Share of the run that this photo has.
+        This photo's share of the run.
     """
 
     feature: QgsFeature
@@ -72,7 +72,7 @@ class OpenedPhoto:
 
 
 def add_view_parameters(algorithm, max_distance_m=30_000.0, photo_needed=True):
-    """Declare oriented points, DEM, range, and the pose's fields below 'Advanced'."""
+    """Declare oriented points, DEM, range, and the fields of the pose under 'Advanced'."""
     points = shared.photo_source()
     points.setDescription(tr("Oriented photo points"))
     points.setHelp(tr("From Orient photos, or any points with heading, pitch, roll and field of view."))
@@ -124,7 +124,7 @@ def add_uncertainty_parameters(algorithm):
 
 
 def uncertainty_of(algorithm, parameters, context):
-    """Read the parameters of `add_uncertainty_parameters`; points better them by what they carry."""
+    """Read the parameters of `add_uncertainty_parameters`; values of the points refine them."""
 
     def number(name):
         return algorithm.parameterAsDouble(parameters, name, context)
@@ -136,7 +136,7 @@ def uncertainty_of(algorithm, parameters, context):
 
 
 def open_views(algorithm, parameters, context, feedback, terrain, opening):
-    """Yield an `OpenedPhoto` for each oriented point; what lacks a heading or lies off the DEM is warned of.
+    """Yield an `OpenedPhoto` for each oriented point; points without a heading or off the DEM get a warning.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def open_views(algorithm, parameters, context, feedback, terrain, opening):
 
 
 def _path_field(algorithm, parameters, context):
-    """PHOTO_FIELD, or None where the layer has no such field and the user has not asked for another."""
+    """PHOTO_FIELD, or None if the layer has no such field and the user has not asked for another."""
     source = algorithm.parameterAsSource(parameters, "INPUT", context)
     chosen = algorithm.parameterAsString(parameters, "PHOTO_FIELD", context)
     names = [] if source is None else [column.name().lower() for column in source.fields()]
@@ -191,7 +191,7 @@ def _lack(point):
 
 
 def _size_px(row):
-    """Size of the upright picture by its file or its point's fields, or None [pixels]."""
+    """Size of the upright picture according to its file or its point's fields, or None [pixels]."""
     from ...core.io.photo import read_metadata
 
     if row.path and Path(row.path).exists():

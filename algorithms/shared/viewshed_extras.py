@@ -1,4 +1,4 @@
-"""What a viewshed can tell beyond seen and not seen: layers per cell, probabilities, what the DEM explains."""
+"""Additional results of a viewshed: layers per cell, probabilities, and how much of the frame the DEM explains."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from .i18n import tr
 from .styling import dress_file
 
 LAYER_CELLS = 80_000_000
-"""Layers and probabilities of larger windows would take more memory than we promise: ten bytes per cell, a gigabyte."""
+"""Most cells of a window with layers and probabilities. They take ten bytes per cell, so that a larger window would
+exceed the gigabyte of memory that we promise."""
 
 HORIZON_STEP_DEG = 0.25
 LEVELS = {"p90_m2": 0.9, "p50_m2": 0.5}
 
 
 def add_extra_parameters(algorithm):
-    """Declare the smallest area, the folders of layers and probabilities, and what is not known exactly."""
+    """Declare the smallest area, the folders of layers and probabilities, and the errors."""
     parameters = [
         shared.number(
             "MIN_AREA",
@@ -55,7 +56,7 @@ def add_extra_parameters(algorithm):
 
 
 def error_parameters():
-    """What is not known exactly, for probabilities."""
+    """Parameters of the errors, for probabilities."""
     usual = PoseUncertainty()
     return [
         shared.distance(
@@ -99,7 +100,7 @@ def error_parameters():
 
 @dataclass(frozen=True)
 class ExtraOptions:
-    """Folders (empty: not wanted), and what is unsure beside the heading."""
+    """Folders (empty: not requested), and the uncertainty of everything except the heading."""
 
     layers: str
     probabilities: str
@@ -107,7 +108,7 @@ class ExtraOptions:
 
 
 def extra_options(algorithm, parameters, context):
-    """Options from the parameters; asked once, as each question about a temporary folder gives another one."""
+    """Options from the parameters; evaluated once, as each evaluation of a temporary folder returns a different one."""
     folders = [algorithm.parameterAsString(parameters, name, context) for name in ("LAYERS", "PROBABILITIES")]
     names = ("POSITION_ERROR", "DEM_ERROR", "PITCH_ERROR", "ROLL_ERROR", "FOCAL_ERROR")
     position, dem, pitch, roll, focal = (algorithm.parameterAsDouble(parameters, name, context) for name in names)
@@ -116,7 +117,7 @@ def extra_options(algorithm, parameters, context):
 
 
 def extra_fields():
-    """Fields that the polygons get."""
+    """Fields that are added to the polygons."""
     return [
         FieldSpec("terr_share", "real", tr("Share of the picture that the DEM explains as ground")),
         FieldSpec("p90_m2", "real", tr("Ground shown with a probability of 0.9 or more (m²)")),
@@ -136,7 +137,7 @@ def layer_names():
 
 
 class Extras:
-    """Computes and writes them, photo by photo; what a repeated run finds finished in a folder it does not repeat.
+    """Computes and writes the results photo by photo; a repeated run does not compute complete results again.
 
     Parameters
     ----------
@@ -151,19 +152,19 @@ class Extras:
 
     @property
     def folders(self):
-        """Folders that are written to, by the names of the parameters."""
+        """Folders that are written to, by the names of their parameters."""
         found = {"LAYERS": self.options.layers, "PROBABILITIES": self.options.probabilities}
         return {name: folder for name, folder in found.items() if folder}
 
     def of(self, point, seen, horizon=None):
-        """Write what is wanted for one viewshed; gives values of `extra_fields` by name, those not known left out.
+        """Write the requested results for one viewshed and return the known values of `extra_fields` by name.
 
         Parameters
         ----------
         point : PhotoPoint
         seen : Viewshed
         horizon : HorizonProfile or None
-            Around the eye, if it is there already.
+            Horizon around the eye, if it has been computed already.
         """
         too_large = seen.window.rows * seen.window.cols > LAYER_CELLS
         if self.folders and too_large:
@@ -199,7 +200,7 @@ class Extras:
         dress_file(path, "layers")
 
     def _terrain_share(self, point, seen, horizon):
-        """Share of the frame that looks below the DEM's horizon."""
+        """Share of the frame that points below the DEM's horizon."""
         from ...core.horizon.horizon import HorizonOptions, horizon_profile
         from ...core.viewshed.layers import terrain_share
         from ...core.viewshed.sector import PhotoFrame

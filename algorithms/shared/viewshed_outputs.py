@@ -1,4 +1,4 @@
-"""Count raster, polygons and per-photo rasters of viewsheds, gathered photo by photo and written at the end."""
+"""Count raster, polygons and per-photo rasters of viewsheds, collected photo by photo and written at the end."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ STRIP_ROWS = 256
 
 
 class ViewshedOutputs:
-    """What a run's viewsheds become.
+    """The outputs made from a run's viewsheds.
 
     Parameters
     ----------
     dem : core.io.raster.Dem
     smallest_m2 : float
-        Parts of polygons below this are dropped [m2].
+        Smaller parts of polygons are dropped [m2].
     """
 
     def __init__(self, dem, smallest_m2=0.0):
@@ -33,7 +33,7 @@ class ViewshedOutputs:
         self.count, self.rows, self._keys = SeenCount(dem.shape), [], []
 
     def add(self, point, viewshed, extras=None):
-        """Take one photo's viewshed, and values of `extra_fields`; gives its facts in words, for the report."""
+        """Add one photo's viewshed and values of `extra_fields`; return its facts in words, for the report."""
         from ...core.io.polygons import viewshed_polygons
 
         ground = viewshed_polygons(viewshed, self.dem, self.smallest_m2)
@@ -44,13 +44,13 @@ class ViewshedOutputs:
         return {tr("Ground in view"): f"{ground.area_m2 / 1e6:.2f} km²", tr("Farthest ground in view"): far}
 
     def arrange(self, points):
-        """Bring the polygons into the order of these points."""
+        """Sort the polygons into the order of these points."""
         place = {point.key: index for index, point in enumerate(points)}
         order = sorted(range(len(self.rows)), key=lambda row: place[self._keys[row]])
         self.rows, self._keys = [self.rows[row] for row in order], [self._keys[row] for row in order]
 
     def write_count(self, algorithm, parameters, name, context, feedback):
-        """Write the raster of counts; gives its path, or None where it is not wanted."""
+        """Write the raster of counts and return its path, or None if it is not requested."""
         from ...core.io.write_raster import RasterLayout, new_raster
 
         path = algorithm.parameterAsOutputLayer(parameters, name, context)
@@ -67,9 +67,9 @@ class ViewshedOutputs:
         return path
 
     def _strips(self, feedback):
-        """Yield (first row, counts) from north to south; what a photo may see or not is nodata where none sees it.
+        """Yield (first row, counts) from north to south; cells that no photo sees but one might see are nodata.
 
-        The viewsheds know of the DEM's voids in their areas, so that the DEM is not read again.
+        The viewsheds record the DEM's voids in their areas, so the DEM is not read again.
         """
         progress, rows = FeedbackProgress(feedback), self.dem.shape[0]
         for row in range(0, rows, STRIP_ROWS):
@@ -79,7 +79,7 @@ class ViewshedOutputs:
             yield row, seen
 
     def write_polygons(self, algorithm, parameters, name, context, crs):
-        """Write the polygons; gives the layer's id, or None where it is not wanted."""
+        """Write the polygons and return the layer's id, or None if it is not requested."""
         specs = polygon_specs()
         output = write_features(
             algorithm,

@@ -56,16 +56,15 @@ def range_fault(algorithm, parameters, context, max_distance="MAX_DISTANCE"):
 
 
 def sector_of(point, kind, feedback):
-    """Sector of the view of a `PhotoPoint`, or None (with a warning) where too little is known.
+    """Sector of the view of a `PhotoPoint`, or None (with a warning) if too little is known.
 
-    A photo frame needs pitch and vertical field of view; without them the heading wedge stands in, and a warning
-    says so.
+    A photo frame needs pitch and vertical field of view; without them the heading wedge is used, and a warning says so.
 
     Parameters
     ----------
     point : PhotoPoint
     kind : str
-        Of `parameters.SECTORS`.
+        One of `algorithms.shared.parameters.SECTORS`.
     feedback : QgsProcessingFeedback
     """
     from ...core.viewshed.sector import FullCircle, PhotoFrame, Wedge
@@ -84,7 +83,7 @@ def sector_of(point, kind, feedback):
     if kind == "heading wedge":
         return Wedge(point.heading_deg, point.hfov_deg)
     if point.posed is None:
-        # Without a position, which the caller warns of, there is no viewshed of either kind.
+        # Without a position, of which the caller warns, there is no viewshed of either kind.
         if point.observer is not None:
             fault = Message(
                 "Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame."

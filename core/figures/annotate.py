@@ -1,6 +1,6 @@
-"""The annotated photograph: names on leaders, points, lines and areas over the picture, as pixels and as SVG.
+"""The annotated photograph: names with leaders, points, lines and areas over the picture, as pixels and as SVG.
 
-One list of marks is drawn twice: burnt into a uint8 array (for PNG), or as vector shapes over the embedded picture.
+One list of marks serves both forms: burnt into a uint8 array (for PNG), or as vector shapes over the embedded picture.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ WIDEST_PX = 1600
 
 @dataclass(frozen=True)
 class NamedPoint:
-    """A point with words, in pixels of the full picture; more important points come first in a list."""
+    """A point with a name, in pixels of the full picture; more important points come first in a list."""
 
     words: str
     x_px: float
@@ -48,7 +48,7 @@ class Annotation:
     ----------
     pixels : uint8 (h, w, 3) array
     unit_px : float
-        Size of everything drawn, 1 on a picture 1280 pixels long.
+        Scale of everything drawn, 1 on a picture 1280 pixels long.
     points : tuple of NamedPoint
     labels : tuple of PlacedLabel
     strokes : tuple of Stroke
@@ -69,12 +69,12 @@ def annotate(pixels, full_width_px, points=(), strokes=(), width_px=None):
     pixels : uint8 (H, W, 3) array
         The upright picture, full size or reduced.
     full_width_px : int
-        Width that the marks' pixels refer to.
+        Width of the picture that the marks' pixels refer to.
     points : sequence of NamedPoint
         Most important first.
     strokes : sequence of Stroke
     width_px : int or None
-        Of the drawing [pixels]; None keeps the picture's, up to `WIDEST_PX`.
+        Width of the drawing [pixels]; None keeps the picture's width, up to `WIDEST_PX`.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def annotation_pixels(annotation):
 
 
 def annotation_svg(annotation, say=str):
-    """Draw the marks over the embedded picture: SVG text, complete in one file; `say` as in `draw_text`."""
+    """Draw the marks over the embedded picture: SVG text, complete in one file; `say` as in `core.figures.text`."""
     height, width = annotation.pixels.shape[:2]
     unit = annotation.unit_px
     picture = base64.b64encode(encode_jpeg(annotation.pixels)).decode("ascii")

@@ -1,6 +1,6 @@
-"""The piece of a DEM on which a result is drawn: around camera and ground in view, reduced to a figure's size.
+"""The part of a DEM on which a result is drawn: around camera and ground in view, reduced to a figure's size.
 
-Read in strips, so that a window of a gigapixel raster costs no more memory than a small one.
+The DEM is read in strips, so that a window of a gigapixel raster costs no more memory than a small one.
 """
 
 from __future__ import annotations
@@ -19,29 +19,29 @@ MOST_CELLS = 600
 """Cells along the longer side of a map; a panel has about as many pixels."""
 
 MARGIN = 0.06
-"""Of the longer side, left free around what is shown."""
+"""Margin around the content, as a share of the longer side."""
 
 LONGEST = 1.5
-"""Ratio of a map's sides, at most: three panels shall stand side by side."""
+"""Largest ratio of a map's sides: three panels must fit side by side."""
 
 SMALLEST_M = 500.0
-"""A map reaches at least this far in each direction, also where nothing is seen [m]."""
+"""A map reaches at least this far in each direction, even if nothing is seen [m]."""
 
 STRIP_CELLS = 4_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class SeenGround:
-    """Which cells of a raster are seen.
+    """The cells of a raster that are seen.
 
     Attributes
     ----------
     window : Window
-        Of the raster.
-    values : (rows, cols) array, or what gives one for two slices
-        0 not seen; else seen, or how many photographs see the cell.
+        Part of the raster that the values cover.
+    values : (rows, cols) array, or an object that returns one for two slices
+        0 for not seen; otherwise seen, or the number of photographs that see the cell.
     unknown : int
-        Value of cells of which nothing is known; they count as not seen.
+        Value of unknown cells, which count as not seen.
     """
 
     window: Window
@@ -49,7 +49,7 @@ class SeenGround:
     unknown: int = UNKNOWN
 
     def part(self, window):
-        """Values of a window of the raster, 0 where it leaves the ground known here."""
+        """Values of a window of the raster, 0 outside the area covered here."""
         out = np.zeros((window.rows, window.cols), self.values.dtype)
         first_row, first_col = max(window.row, self.window.row), max(window.col, self.window.col)
         last_row = min(window.row + window.rows, self.window.row + self.window.rows)
@@ -76,14 +76,14 @@ class SeenGround:
 
 @dataclass(frozen=True)
 class GroundMapOptions:
-    """What a map must show, and how finely.
+    """What a map must show, and its resolution.
 
     Attributes
     ----------
     shown : int
-        So many of the observers, from the first on, must lie on the map.
+        Number of observers, from the first on, that must lie on the map.
     most_cells : int
-        Along the longer side of the result.
+        Number of cells along the longer side of the result.
     """
 
     shown: int = 1
@@ -91,24 +91,24 @@ class GroundMapOptions:
 
 
 def ground_map(terrain, frame, seen, observers=(), track_px=None, options=GroundMapOptions()):  # noqa: B008 - frozen
-    """Cut out the map of what is seen.
+    """Cut out the map around the ground that is seen.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
-        For the ground size of cells and the direction of grid north.
+        Gives the ground size of cells and the direction of grid north.
     seen : SeenGround
     observers : sequence of MapObserver
-        Places on the raster [pixels]; those off the map are left out.
+        Positions on the raster [pixels]; those outside the map are left out.
     track_px : (N, 2) array or None
-        (column, row) of a way on the raster; NaN breaks it.
+        (column, row) of a route on the raster; NaN breaks it.
     options : GroundMapOptions
 
     Returns
     -------
     MapData
-        Its sides differ by `LONGEST` at most where the raster is large enough; row 0 is at the top.
+        Its sides differ by at most `LONGEST` if the raster is large enough; row 0 is at the top.
     """
     observers, shown = tuple(observers), options.shown
     window = _surroundings(seen.extent(), observers[:shown], frame, terrain.shape)
@@ -132,7 +132,7 @@ def ground_map(terrain, frame, seen, observers=(), track_px=None, options=Ground
 
 
 def _surroundings(extent, observers, frame, shape):
-    """Window with a margin around seen cells and observers, of bounded proportions where the raster is large enough."""
+    """Window with a margin around seen cells and observers, with bounded proportions if the raster is large enough."""
     rows, cols = [observer.row_px for observer in observers], [observer.col_px for observer in observers]
     if extent is not None:
         rows, cols = [*rows, *extent[:2]], [*cols, *extent[2:]]
@@ -148,13 +148,13 @@ def _surroundings(extent, observers, frame, shape):
 
 
 def _span(middle, half, size):
-    """First cell and count of a span around `middle`, moved rather than cut where it would leave the raster."""
+    """First cell and count of a span around `middle`, moved rather than cut if it would leave the raster."""
     count = min(2 * int(np.ceil(half)) + 1, size)
     return int(np.clip(round(middle) - count // 2, 0, size - count)), count
 
 
 def _reduced(terrain, seen, window, step):
-    """Means of known elevations, and counts where half of the cells at least are seen, of blocks of cells."""
+    """Mean of the known elevations of blocks of cells, and their counts if at least half of the cells are seen."""
     elevations, counts = [], []
     for _, strip in _strips(window, step):
         heights, values = _blocks(terrain.read(strip), step, np.nan), _blocks(seen.part(strip), step, 0)
@@ -175,7 +175,7 @@ def _strips(window, step=1):
 
 
 def _blocks(values, step, fill):
-    """(rows, step, cols, step) blocks, the last ones filled up."""
+    """(rows, step, cols, step) blocks, the last ones padded."""
     rows, cols = (-(-side // step) for side in values.shape)
     whole = np.full((rows * step, cols * step), fill, values.dtype)
     whole[: values.shape[0], : values.shape[1]] = values
@@ -183,7 +183,7 @@ def _blocks(values, step, fill):
 
 
 def _near_track(track_px, window, step):
-    """The track on the map's pixels: stretches that come near the map, without points that fall on one another."""
+    """Convert the track to the map's pixels: stretches that come near the map, without coincident points."""
     points = (np.asarray(track_px, float) - [window.col, window.row] + 0.5) / step - 0.5
     size = np.array([window.cols, window.rows]) / step
     points[~np.all((points > -size) & (points < 2 * size), axis=1)] = np.nan
@@ -206,13 +206,14 @@ def three_panels(photo, data, height_px=560, captions=True, say=str):
     photo : uint8 (h, w, 3) array or None
         The upright picture, or its overlay; without it there are two panels.
     data : MapData
-        With the observer first, its heading and field of view, the viewshed as `seen`, and the track if there is one.
+        Map with the observer first, its heading and field of view, the viewshed as `seen`, and the track if there is
+        one.
     height_px : int
-        Of the figure [pixels].
+        Height of the figure [pixels].
     captions : bool
         Write a letter and a word into each panel.
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------

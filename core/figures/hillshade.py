@@ -6,7 +6,7 @@ import numpy as np
 
 
 def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, exaggeration=1.0):
-    """Brightness of a matt surface lit from one direction.
+    """Compute the brightness of a matt surface lit from one direction.
 
     Parameters
     ----------
@@ -15,11 +15,11 @@ def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, ex
     cell_size_m : float or (float, float)
         Ground size of a cell along a row and along a column [m].
     azimuth_deg : float
-        Of the light, clockwise from grid north [degrees]; north-west is the custom of maps.
+        Direction of the light, clockwise from grid north [degrees]; maps are customarily lit from the north-west.
     altitude_deg : float
-        Of the light above the horizon [degrees].
+        Elevation of the light above the horizon [degrees].
     exaggeration : float
-        Factor on the heights.
+        Factor by which elevations are multiplied.
 
     Returns
     -------
@@ -28,7 +28,7 @@ def hillshade(elevation_m, cell_size_m, azimuth_deg=315.0, altitude_deg=45.0, ex
 
     Notes
     -----
-    Beside unknown cells and at the edge the differences are one-sided or of fewer rows; a lone cell is flat.
+    Beside unknown cells and at the edge the differences are one-sided or use fewer rows; an isolated cell is flat.
 
     References
     ----------
@@ -64,7 +64,7 @@ def _horn_gradient(elevation):
 
 
 def _rise(before, here, after):
-    """Central difference, or the one-sided one where a side is unknown; NaN where nothing is left to compare."""
+    """Central difference, or the one-sided one if a side is unknown; NaN if there is nothing to compare."""
     central = (after - before) / 2
     one_sided = np.where(np.isfinite(after - here), after - here, here - before)
     return np.where(np.isfinite(central), central, one_sided)

@@ -1,7 +1,7 @@
-r"""Words on a picture without overlap: each name above its point, on a thin leader, or not at all.
+r"""Labels on a picture without overlap: each name above its point, on a thin leader, or omitted.
 
-Labels are set greedily by priority. A label hangs on a vertical leader and may slide sideways as long as the leader
-still ends under it; it moves up line by line until it covers no label, no point and no leader set before::
+Labels are placed greedily by priority. A label sits on a vertical leader and may slide sideways as long as the leader
+still ends under it. It moves up line by line until it covers no label, point or leader placed before::
 
         Everest 8849 m
            |   Lhotse 8516 m
@@ -16,13 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 
 SLIDES = (0.5, 0.3, 0.7, 0.12, 0.88, 0.02, 0.98)
-"""Where along the label the leader may end, best first."""
+"""Positions along the label at which the leader may end, best first."""
 
 BELOW_COST = 12.0
-"""A label below its point covers the ground; so many lines of leader are better."""
+"""A label below its point covers the ground; it costs as much as this many lines of leader."""
 
 BARRED_COST = 1.5
-"""...and one in the way of another point's leader costs this much per point."""
+"""A label in the way of another point's leader costs this much per point."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class LabelOptions:
     lead_px : float
         Shortest leader.
     longest_lead_px : float
-        A label that would need a longer one is left out.
+        Longest leader; a label that would need a longer one is left out.
     """
 
     line_px: float = 16.0
@@ -49,14 +49,14 @@ class LabelOptions:
 
 @dataclass(frozen=True)
 class PlacedLabel:
-    """A label that found room.
+    """A label with its position.
 
     Attributes
     ----------
     index : int
-        Of the point it belongs to.
+        Index of the point to which it belongs.
     left_px, top_px, width_px, height_px : float
-        Its box.
+        Position and size of its box.
     point_x_px, point_y_px : float
         End of the leader at the point.
     """
@@ -77,14 +77,14 @@ class PlacedLabel:
 
 
 def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
-    """Find room for labels.
+    """Find positions for labels.
 
     Parameters
     ----------
     x_px, y_px : (N,) arrays
         Points, most important first [pixels].
     width_px : (N,) array
-        Of the words [pixels].
+        Width of each label's text [pixels].
     canvas_px : (float, float)
         Width and height of the drawing [pixels].
     options : LabelOptions or None
@@ -92,7 +92,7 @@ def lay_out_labels(x_px, y_px, width_px, canvas_px, options=None):
     Returns
     -------
     tuple of PlacedLabel
-        Those that found room, in the order of the points.
+        The labels that found room, in the order of the points.
     """
     options = options or LabelOptions()
     x_px, y_px, width_px = (np.asarray(a, float) for a in (x_px, y_px, width_px))
@@ -125,7 +125,7 @@ def _find_room(point, width, canvas, taken, later, options):
 
 
 def _candidates(x, y, width, canvas, options):
-    """(cost, box) of all places on the canvas: a line's height of leader costs 1."""
+    """(cost, box) of all positions on the canvas: one line's height of leader costs 1."""
     height = options.line_px
     for step in np.arange(0.0, max(options.longest_lead_px - options.lead_px, 0) + 1, height / 2):
         for above in (True, False):
@@ -140,7 +140,7 @@ def _candidates(x, y, width, canvas, options):
 
 
 def _claims(label, options):
-    """Boxes (left, top, right, bottom) that a label keeps free: its words, its leader, its point."""
+    """Boxes (left, top, right, bottom) that a label keeps free: its text, its leader and its point."""
     gap = options.gap_px
     x, start, stop = label.leader
     low, high = min(start, stop), max(start, stop)

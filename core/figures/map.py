@@ -30,14 +30,14 @@ class MapObserver:
     Attributes
     ----------
     col_px, row_px : float
-        On the map's elevation array, the first cell's centre at 0.
+        Position on the map's elevation array, with the first cell's centre at 0.
     heading_deg : float or None
-        True [degrees].
+        True heading [degrees].
     hfov_deg : float or None
         Horizontal field of view [degrees].
     label : str
     beside : bool
-        Another place than the one that matters: drawn small.
+        The observer is not the main one; it is drawn small.
     """
 
     col_px: float
@@ -50,7 +50,7 @@ class MapObserver:
 
 @dataclass(frozen=True, eq=False)
 class MapData:
-    """What a map shows, on the grid of an elevation array.
+    """The content of a map, on the grid of an elevation array.
 
     Attributes
     ----------
@@ -59,12 +59,12 @@ class MapData:
     cell_size_m : float or (float, float)
         Ground size of a cell along a row and along a column [m].
     convergence_deg : float
-        Bearing of grid north seen from true north, clockwise [degrees].
+        Bearing of grid north from true north, clockwise [degrees].
     seen : (R, C) array or None
-        Bool, or how many photographs see a cell.
+        Bool, or the number of photographs that see a cell.
     observers : sequence of MapObserver
     track_px : (N, 2) array or None
-        (col, row) of a way walked; NaN breaks it.
+        (col, row) of the route walked; NaN breaks it.
     """
 
     elevation_m: np.ndarray
@@ -76,12 +76,12 @@ class MapData:
 
     @property
     def cell_xy_m(self):
-        """(along a row, along a column) [m]."""
+        """Size of a cell (along a row, along a column) [m]."""
         return tuple(float(side) for side in np.broadcast_to(np.asarray(self.cell_size_m, float), 2))
 
     @property
     def size_m(self):
-        """(width, height) on the ground [m]."""
+        """Size of the map (width, height) on the ground [m]."""
         rows, cols = np.shape(self.elevation_m)
         return cols * self.cell_xy_m[0], rows * self.cell_xy_m[1]
 
@@ -93,13 +93,13 @@ def map_image(data, width_px=1200, relief="coloured", wedges=True, title="", wed
     ----------
     data : MapData
     width_px : int
-        Of the result [pixels]; the height follows the ground.
+        Width of the result [pixels]; the height follows from the ground.
     relief : str
         'coloured' for tinted shaded relief, 'hillshade' for grey shaded relief, 'grey' for elevation as brightness.
     wedges : bool
         Draw each observer's field of view.
     title : str
-        Written at the upper left.
+        Text at the upper left.
     wedge_reach_m : float or None
         Length of the wedges [m]; None takes a fifth of the map's longer side.
 
@@ -144,7 +144,7 @@ def scale_bar(pixels, metres_per_px, unit=1.0):
     metres_per_px : float
         [m per pixel]
     unit : float
-        Size of type and marks, as a multiple of their usual size.
+        Size of text and marks, as a multiple of their usual size.
     """
     length_m = round_below(0.28 * pixels.shape[1] * metres_per_px)
     words = f"{length_m / 1000:g} km" if length_m >= 1000 else f"{length_m:g} m"
@@ -164,7 +164,7 @@ def north_arrow(pixels, convergence_deg=0.0, unit=1.0):
     convergence_deg : float
         See `core.base.angles.true_to_grid` [degrees].
     unit : float
-        Size of type and marks, as a multiple of their usual size.
+        Size of text and marks, as a multiple of their usual size.
     """
     x, y = pixels.shape[1] - 34 * unit, 42 * unit
     bearing = np.radians(true_to_grid(0.0, convergence_deg))
@@ -199,7 +199,7 @@ def _relief(data, relief, width_px, height_px):
 
 
 def _lay_viewshed(pixels, seen):
-    """Tint what is seen, deeper and redder where more photographs see it."""
+    """Tint the ground that is seen, deeper and redder if more photographs see it."""
     count = np.nan_to_num(np.asarray(seen, np.float32))
     most = max(float(count.max()), 1.0)
     height, width = pixels.shape[:2]
@@ -228,7 +228,7 @@ def _wedge(pixels, observer, place, convergence_deg, reach_px, unit):
 
 
 def _label(pixels, observers, places, unit):
-    """Write the observers' names where they cover neither one another nor leave the map; others stay nameless."""
+    """Write observers' names if they neither cover one another nor leave the map; the other observers get no name."""
     size, taken = 15 * unit, []
     for observer, (x, y) in zip(observers, places):
         if not observer.label:
@@ -252,15 +252,15 @@ def _overlap(a, b):
 
 
 def legend(pixels, entries, unit=1.0):
-    """Write (colour, words) entries at the lower right, one below the other, in place.
+    """Write (colour, text) entries at the lower right, one below the other, in place.
 
     Parameters
     ----------
     pixels : uint8 (H, W, 3) array
-    entries : sequence of (colour, words)
+    entries : sequence of (colour, text)
         Colours as (red, green, blue).
     unit : float
-        Size of type and marks, as a multiple of their usual size.
+        Size of text and marks, as a multiple of their usual size.
     """
     size = 15 * unit
     wide = max((words_width(words, size) for _, words in entries), default=0.0)

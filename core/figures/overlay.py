@@ -1,8 +1,8 @@
-"""The overlay by which a person judges a match: evidence, extracted skyline and DEM horizons over the photograph.
+"""The overlay for checking a match by eye: evidence, extracted skyline and DEM horizons over the photograph.
 
-Cyan is what the picture says, orange the DEM's horizon at the answer, dashed magenta and violet the alternatives. Dark
-casings keep the lines legible on snow and on rock. `overlay_image` burns all into pixels; `overlay_svg_lines` and
-`evidence_rgba` give the same as layers that a page can switch on and off.
+Cyan shows the skyline in the picture, orange the DEM's horizon at the answer, dashed magenta and violet the
+alternatives. Dark casings keep the lines legible on snow and on rock. `overlay_image` burns everything into pixels;
+`overlay_svg_lines` and `evidence_rgba` provide the same content as layers that a page can switch on and off.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ ALTERNATIVES = ((255, 110, 230), (190, 150, 255))
 EVIDENCE = (0, 255, 200)
 EVIDENCE_OPACITY = 0.55
 EVIDENCE_FULL = 0.15
-"""Probability per row at which the tint is full; a sharp boundary has several times as much on its row."""
+"""Probability per row at which the tint is full; a sharp boundary reaches several times as much on its row."""
 
 
 def overlay_image(photo, width_px=1280, evidence=True, legend=True, say=str):
@@ -32,15 +32,15 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True, say=str):
     Parameters
     ----------
     photo : OrientedPhoto
-        With a preview; what else is missing is left out.
+        Photograph with a preview; anything else that is missing is left out.
     width_px : int
-        Of the result [pixels]; the height follows the picture.
+        Width of the result [pixels]; the height follows from the picture.
     evidence : bool
         Tint the rows where the boundary may lie.
     legend : bool
-        Write what the colours mean, with the headings.
+        Explain the colours, with the headings.
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
@@ -70,7 +70,7 @@ def overlay_image(photo, width_px=1280, evidence=True, legend=True, say=str):
 
 
 def evidence_rgba(evidence, width_px=512):
-    """The evidence as a tint: uint8 (h, w, 4) RGBA, 16 levels of opacity so that it packs well."""
+    """Draw the evidence as a tint: uint8 (h, w, 4) RGBA, with 16 levels of opacity so that it compresses well."""
     alpha = _evidence_alpha(evidence)
     rows, columns = alpha.shape
     if columns > width_px:
@@ -81,7 +81,7 @@ def evidence_rgba(evidence, width_px=512):
 
 
 def overlay_svg_lines(photo, key, span=1000.0):
-    """The lines as SVG, in a coordinate system in which the picture is `span` wide.
+    """Draw the lines as SVG, in a coordinate system in which the picture is `span` wide.
 
     Parameters
     ----------
@@ -105,11 +105,11 @@ def overlay_svg_lines(photo, key, span=1000.0):
 
 
 def focus_box(photo, aspect=2.2):
-    """Rectangle of the picture that a judge wants large: full width, around the skyline, `aspect` wide to high.
+    """Find the part of the picture that matters for the check: full width, around the skyline, `aspect` wide to high.
 
     Returns
     -------
-    (x, y, width, height) in pixels of the full upright picture; the whole picture where it is no taller.
+    (x, y, width, height) in pixels of the full upright picture; the whole picture if it is no taller.
     """
     width, height = full_size(photo)
     extracted, horizons = photo_lines(photo)
@@ -128,7 +128,7 @@ def focus_box(photo, aspect=2.2):
 def _evidence_alpha(evidence):
     probability = np.asarray(evidence.probability, np.float32)
     smooth = gaussian_filter1d(probability, 1.5, axis=0, mode="constant")
-    flat = 1.5 / max(probability.shape[0], 1)  # a column that knows nothing stays clear
+    flat = 1.5 / max(probability.shape[0], 1)  # a column without information stays clear
     return np.rint(255 * np.sqrt(np.clip((smooth - flat) / EVIDENCE_FULL, 0, 1))).astype(np.uint8)
 
 

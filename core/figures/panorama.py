@@ -1,7 +1,7 @@
 """The outline panorama as a drawing: SVG and pixels from one layout.
 
-The strip is unrolled from its left azimuth clockwise; both axes have one scale unless heights are exaggerated. Near
-ridges are dark and strong, far ones pale and fine.
+The strip starts at its left azimuth and runs clockwise. Both axes have the same scale unless heights are exaggerated.
+Near ridges are dark and bold, distant ones pale and thin.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ MARGIN_TOP_DEG, MARGIN_BOTTOM_DEG = 1.0, 1.5
 
 @dataclass(frozen=True)
 class PanoramaLabel:
-    """A name at a direction; more important ones come first in a list."""
+    """A name in a given direction; more important names come first in a list."""
 
     words: str
     azimuth_deg: float
@@ -31,7 +31,7 @@ class PanoramaLabel:
 
 @dataclass(frozen=True, eq=False)
 class PanoramaFrame:
-    """A photograph's outer edge as directions."""
+    """The outer edge of a photograph, as directions."""
 
     words: str
     azimuth_deg: np.ndarray
@@ -55,7 +55,7 @@ class PanoramaDrawing:
 
 @dataclass(frozen=True)
 class PanoramaLayout:
-    """How the strip is laid out.
+    """The layout of the strip.
 
     Attributes
     ----------
@@ -63,9 +63,9 @@ class PanoramaLayout:
         Azimuth at the left edge [degrees].
     pixels_per_degree : float
     exaggeration : float
-        Of heights over widths.
+        Exaggeration of heights over widths.
     label_room_px : float
-        Sky kept above the highest outline for names.
+        Room for names above the highest outline.
     """
 
     left_deg: float = 0.0
@@ -85,7 +85,7 @@ def lay_out_panorama(panorama, labels=(), frames=(), layout=PanoramaLayout(), sa
     frames : sequence of PanoramaFrame
     layout : PanoramaLayout
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
@@ -124,7 +124,7 @@ def _ink(outline, place):
 
 
 def _unbroken(x, y):
-    """Put a gap where a line leaves the strip at one end and comes back at the other."""
+    """Insert a gap where a line leaves the strip at one end and re-enters at the other."""
     jump = np.flatnonzero(np.abs(np.diff(x)) > 0.5 * max(np.ptp(x), 1.0) + 1000.0) + 1
     return np.insert(np.asarray(x, float), jump, np.nan), np.insert(np.asarray(y, float), jump, np.nan)
 
@@ -158,7 +158,7 @@ def panorama_svg(drawing, title="panorama"):
 
 
 def panorama_pixels(drawing):
-    """Draw into uint8 (h, w, 3) pixels."""
+    """Draw the panorama into uint8 (h, w, 3) pixels."""
     pixels = np.empty((round(drawing.height), round(drawing.width), 3), np.uint8)
     pixels[:] = SKY
     draw_line(pixels, [0, drawing.width], [drawing.level_y] * 2, GROUND_LINE, 1, LineStyle((6, 6)))

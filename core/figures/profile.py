@@ -1,4 +1,4 @@
-"""Angles along the skyline drawn: the DEM's horizon over the whole circle, and the residuals of a match."""
+"""Drawings of angles along the skyline: the DEM's horizon over the full circle, and the residuals of a match."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .svg import DISTANCE_LIGHT, Scale, area_path, element, figure, line, polyli
 from .text import azimuth, compass_point, is_known, with_unit
 
 DISTANCE_STEPS_M = (500, 1_000, 2_000, 5_000, 10_000, 20_000, 40_000)
-"""Bounds of the eight distance colours [m]."""
+"""Limits of the eight distance colours [m]."""
 
 PROFILE_STEP_DEG = 0.5
 RESIDUAL_POINTS = 400
@@ -24,15 +24,15 @@ def horizon_profile_svg(horizon, heading_deg=None, hfov_deg=None, width=900, hei
     heading_deg, hfov_deg : float or None
         True heading and horizontal field of view of a photo whose span is to be marked [degrees].
     width, height : float
-        Of the drawing [px].
+        Size of the drawing [px].
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
     str
-        An accessible SVG. Magenta shading: the DEM ends before the horizon may be reached, the angle is a lower
-        bound. Grey: voids, or nothing known.
+        An accessible SVG. Magenta shading: the DEM ends before the horizon may be reached, so the angle is a lower
+        bound. Grey: voids, or no data.
     """
     azimuths, elevations, distances, clipped, void = _stepped(horizon)
     if not np.isfinite(elevations).any():
@@ -57,20 +57,20 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
     Parameters
     ----------
     residual_px : (w,) array
-        [pixels of the full picture], + where the image skyline is lower in the picture; NaN where not compared.
+        [pixels of the full picture], positive if the image skyline is lower in the picture; NaN if not compared.
     height_px : float or None
-        Height of the full picture, to give per cent [pixels].
+        Height of the full picture, used to give percentages [pixels].
     pixels_per_degree : float or None
-        In the middle of the full picture; with it a second axis shows degrees.
+        Scale in the middle of the full picture; with it a second axis shows degrees.
     width, height : float
-        Of the drawing [px].
+        Size of the drawing [px].
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
     str
-        An accessible SVG, up being up in the picture: a curve above the line is an image skyline above the DEM's.
+        An accessible SVG, with up as in the picture: a curve above the line means an image skyline above the DEM's.
     """
     residual = np.asarray(residual_px, float).ravel()
     known = np.isfinite(residual)
@@ -78,7 +78,7 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
     if not known.any():
         words = say("No column of the picture was compared with the DEM.")
         return figure(width, height, title, words, text(width / 2, height / 2, words, "name", "middle"))
-    size = np.abs(residual[known])  # a run of wild columns may leave the frame, for the others to be seen
+    size = np.abs(residual[known])  # a run of outliers may leave the frame, so that the other columns stay visible
     half = max(1.4 * float(np.percentile(size, 90)), 4 * float(np.median(size)), 0.004 * (height_px or 0), 2.0)
     x = Scale(0, max(len(residual) - 1, 1), 44, width - (44 if pixels_per_degree else 10))
     y = Scale(half, -half, height - 34, 24)
@@ -97,7 +97,7 @@ def residuals_svg(residual_px, height_px=None, pixels_per_degree=None, width=420
 
 
 def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None, say=str):
-    """Say how large the residuals are: median of the absolute values, and the share of columns compared.
+    """Describe the residuals in words: median of the absolute values, and the share of columns compared.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None, say=
     height_px : float or None
         Height of the picture, for the median as a share of it [pixels].
     pixels_per_degree : float or None
-        For the median as an angle.
+        Scale used to give the median as an angle.
     say : callable
         Translates one English string.
     """
@@ -125,7 +125,7 @@ def residuals_in_words(residual_px, height_px=None, pixels_per_degree=None, say=
 
 
 def _stepped(horizon):
-    """The profile on a regular half-degree circle, the highest angle of each step, in drawing order."""
+    """Resample the profile to a regular half-degree circle, with the highest angle of each step, in drawing order."""
     count = round(360 / PROFILE_STEP_DEG)
     step = np.floor(wrap_360(np.asarray(horizon.azimuth_deg, float)) / PROFILE_STEP_DEG).astype(int) % count
     raw = np.asarray(horizon.elevation_deg, float)
@@ -225,7 +225,7 @@ def _residual_axes(half, pixels_per_degree, x, y):
 
 
 def _bundled(residual):
-    """Column positions and medians of at most `RESIDUAL_POINTS` groups of columns; NaN where none is known."""
+    """Column positions and medians of at most `RESIDUAL_POINTS` groups of columns; NaN if no value is known."""
     group = -(-len(residual) // RESIDUAL_POINTS)
     padded = np.full(-(-len(residual) // group) * group, np.nan)
     padded[: len(residual)] = residual

@@ -1,7 +1,7 @@
-"""Drawing into uint8 RGB arrays: smooth lines, dots, areas and words, and their PNG and JPEG bytes.
+"""Drawing into uint8 RGB arrays (smooth lines, dots, areas and text), and encoding as PNG and JPEG.
 
-Pillow draws without smoothing, so shapes are drawn several times too large into a coverage mask and shrunk. It is
-imported when first needed; without it pictures are missed in a sentence, and everything else goes on.
+Pillow draws without smoothing, so shapes are drawn several times too large into a coverage mask and then reduced.
+Pillow is imported on first use; without it a message reports that pictures are missing, and everything else works.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _FONTS = {
 def encode_png(pixels, quickly=False):
     """PNG bytes of a uint8 array: (H, W) grey, (H, W, 3) RGB or (H, W, 4) RGBA.
 
-    `quickly` suits whole photographs, which the strongest compression makes a tenth smaller in ten times the time.
+    `quickly` suits whole photographs: the strongest compression makes them a tenth smaller and takes ten times as long.
     """
     return _encoded(pixels, "PNG", compress_level=3) if quickly else _encoded(pixels, "PNG", optimize=True)
 
@@ -44,7 +44,7 @@ def resized(pixels, width_px, height_px):
     ----------
     pixels : uint8 (H, W, 3) array
     width_px, height_px : float
-        Rounded to whole pixels, at least 1.
+        New size, rounded to whole pixels, at least 1.
 
     Returns
     -------
@@ -56,13 +56,13 @@ def resized(pixels, width_px, height_px):
 
 
 def tint(pixels, coverage, colour):
-    """Lay a colour over a picture, in place.
+    """Blend a colour into a picture, in place.
 
     Parameters
     ----------
     pixels : uint8 (H, W, 3) array
     coverage : (H, W) float array
-        0 leaves the picture, 1 covers it.
+        0 leaves the picture unchanged, 1 covers it.
     colour : (3,) uint8
     """
     share = np.clip(coverage, 0, 1)[..., None]
@@ -71,14 +71,14 @@ def tint(pixels, coverage, colour):
 
 @dataclass(frozen=True)
 class LineStyle:
-    """How a line is drawn beside its colour and width.
+    """The style of a line apart from its colour and width.
 
     Attributes
     ----------
     dash_px : (float, float) or None
-        Lengths drawn and left out along the line [pixels].
+        Lengths drawn and skipped along the line [pixels].
     casing_px : float
-        Width of a dark border on either side, which keeps the line legible on any ground [pixels].
+        Width of a dark border on either side, which keeps the line legible on any background [pixels].
     opacity : float
         0 to 1.
     """
@@ -95,10 +95,10 @@ def draw_line(pixels, x_px, y_px, colour, width_px=2.0, style=LineStyle()):  # n
     ----------
     pixels : uint8 (H, W, 3) array
     x_px, y_px : (N,) arrays
-        Points, the centre of the first pixel at 0; they may lie outside.
+        Points, with the centre of the first pixel at 0; they may lie outside the picture.
     colour : (3,) uint8
     width_px : float
-        [pixels].
+        Width of the line [pixels].
     style : LineStyle
     """
     pieces = _pieces(np.asarray(x_px, float), np.asarray(y_px, float), style.dash_px)
@@ -145,16 +145,16 @@ def draw_dot(pixels, x_px, y_px, radius_px, colour, casing_px=1.5):
 
 @dataclass(frozen=True)
 class TypeStyle:
-    """How words are written.
+    """The style of text.
 
     Attributes
     ----------
     size_px : float
         Height of the type [pixels].
     anchor : str
-        Pillow's two letters: l, m, r and a (top), m, s (base line).
+        Pillow's two letters: l, m, r and a (top), m, s (baseline).
     casing_px : int
-        Width of the border; dark under light words, light under dark ones.
+        Width of the border, which is dark under light text and light under dark text.
     bold : bool
     """
 
@@ -165,15 +165,15 @@ class TypeStyle:
 
 
 def draw_words(pixels, x_px, y_px, words, colour, style=TypeStyle()):  # noqa: B008 - frozen
-    """Write words with a border of the opposite brightness, in place.
+    """Write text with a border of the opposite brightness, in place.
 
     Parameters
     ----------
     pixels : uint8 (H, W, 3) array
     x_px, y_px : float
-        Where the anchor comes to lie.
+        Position of the anchor [pixels].
     words : str
-        One line of any origin.
+        One line of text from any source.
     colour : (3,) uint8
     style : TypeStyle
     """
@@ -193,13 +193,13 @@ def draw_words(pixels, x_px, y_px, words, colour, style=TypeStyle()):  # noqa: B
 
 
 def words_width(words, size_px=14, bold=False):
-    """Width that words will take [pixels].
+    """Compute the width of text [pixels].
 
     Parameters
     ----------
     words : str
     size_px : float
-        Of the type [pixels].
+        Height of the type [pixels].
     bold : bool
     """
     return float(_font(size_px, bold).getlength(plain(words, 120)))
@@ -226,7 +226,7 @@ def _font(size_px, bold):
             continue
     try:
         return fonts.load_default(round(size_px))
-    except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and knows no anchors
+    except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and no anchors
         raise MissingPackageError(
             Message(
                 "Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or "
@@ -248,7 +248,7 @@ def _cover(pixels, pieces, colour, width_px, opacity):
 
 
 def _paint(pixels, paint, points, margin_px, colour, opacity):
-    """Have `paint` draw a large mask of the part of the picture around `points`, and tint with it."""
+    """Draw with `paint` into a large mask of the part of the picture around `points`, and tint the picture with it."""
     image, draw_module = _pillow("Image"), _pillow("ImageDraw")
     height, width = pixels.shape[:2]
     low = np.maximum(np.floor(points.min(axis=0) - margin_px - 2), 0).astype(int)

@@ -1,4 +1,4 @@
-"""The heading search drawn: the score against heading as a curve (the paper's NCC figure) and as a rose."""
+"""Drawings of the heading search: the score against the heading as a curve (the paper's NCC figure) and as a rose."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .svg import Scale, area_path, element, figure, line, on_circle, polyline_pa
 from .text import azimuth, compass_point, is_known
 
 MOST_POINTS = 720
-"""Points drawn of a curve: half a degree each. Finer curves keep the highest value of each half degree."""
+"""Most points drawn of a curve: one per half degree. Finer curves keep the highest value of each half degree."""
 
 
 def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", width=620, height=190, say=str):
@@ -18,20 +18,20 @@ def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", widt
     Parameters
     ----------
     orientation : Orientation
-        Of which `curve_heading_deg` (true) and `curve_score` are drawn.
+        Its `curve_heading_deg` (true) and `curve_score` are drawn.
     compass_true_deg : float or None
-        Recorded heading, turned to true north [degrees].
+        Recorded heading, converted to true north [degrees].
     score_name : str
-        What the vertical axis shows, 'NCC' or 'Score', in the reader's language.
+        Name of the vertical axis, 'NCC' or 'Score', in the reader's language.
     width, height : float
-        Of the drawing [px].
+        Size of the drawing [px].
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
     str
-        An accessible SVG; see `draw_svg.standalone` for a file of its own.
+        An accessible SVG; see `core.figures.svg.standalone` for a file of its own.
     """
     headings, scores = _thinned(orientation)
     x = Scale(0, 360, 44, width - 16)
@@ -53,19 +53,19 @@ def score_curve_svg(orientation, compass_true_deg=None, score_name="Score", widt
 
 
 def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220, say=str):
-    """Draw the score as a rose, north up: what the curve shows, as a person on the spot would point.
+    """Draw the score as a rose, north up: the data of the curve, in the directions that a person on site would point.
 
     Parameters
     ----------
     orientation : Orientation
     compass_true_deg : float or None
-        Recorded heading, turned to true north [degrees].
+        Recorded heading, converted to true north [degrees].
     hfov_deg : float or None
-        Horizontal field of view, drawn as the wedge that the photo shows [degrees].
+        Horizontal field of view, drawn as the wedge that the photo covers [degrees].
     size : float
         Side of the drawing [px].
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
@@ -115,7 +115,7 @@ def _thinned(orientation):
 
 
 def _range(scores):
-    """Vertical range with a margin; the hopeless lowest fifth of the circle may fall through the floor."""
+    """Vertical range with a margin; the lowest fifth of the circle may fall below the axis."""
     low, high = float(np.percentile(scores, 2)), float(scores.max())
     if not high > low:
         return low - 0.5, high + 0.5
@@ -172,7 +172,7 @@ def _candidate_marks(orientation, curve, axes, width, say):
 
 
 def _beside(at, level, width):
-    """Arguments x, y for a label right of `at`, or left of it near the right edge."""
+    """Coordinates x, y for a label to the right of `at`, or to the left of it near the right edge."""
     return at + 7 if at < width - 90 else at - 78, level
 
 
@@ -188,7 +188,7 @@ def _petals(orientation, centre, rim):
 
 
 def _in_words(orientation, compass_true_deg, say):
-    """Say what the figure shows, for those who cannot see it."""
+    """Describe the figure in words, for readers who cannot see it."""
     if orientation.best is None:
         return say("No heading was found.")
     best, *others = (azimuth(candidate.pose.heading_deg) for candidate in orientation.candidates[:3])

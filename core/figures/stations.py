@@ -1,4 +1,4 @@
-"""A plan of a run: where the photographs stand and which way they look, north up, without a base map."""
+"""A plan of a run: the positions and directions of the photographs, north up, without a base map."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .text import azimuth, compass_point, escape, is_known
 
 METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 SMALLEST_SPAN_M = 200.0
-"""Photographs of one place are not spread over the sheet by the noise of their GPS [m]."""
+"""The plan spans at least this much, so that GPS noise does not spread photographs of one place over the sheet [m]."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +25,11 @@ class Station:
         WGS 84 [degrees].
     name : str
     status : str
-        One of the four statuses; becomes the class 'is-<status>'.
+        One of the four statuses, used in the class 'is-<status>'.
     heading_deg, hfov_deg : float or None
-        True [degrees].
+        True heading and horizontal field of view [degrees].
     anchor : str or None
-        Anchor of the page to which a click leads.
+        Anchor of the page that a click opens.
     """
 
     longitude_deg: float
@@ -48,14 +48,14 @@ def stations_svg(stations, width=1280, height=420, say=str):
     ----------
     stations : sequence of Station
     width, height : float
-        Of the drawing [px].
+        Size of the drawing [px].
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
     str
-        An accessible SVG; '' where no station has a position. East and north are to scale at the middle latitude,
+        An accessible SVG; '' if no station has a position. East and north are to scale at the middle latitude,
         also across the 180th meridian.
     """
     stations = [s for s in stations if is_known(s.longitude_deg) and is_known(s.latitude_deg)]

@@ -1,8 +1,8 @@
 """Drawings as SVG text: a few elements, linear scales, ticks, and one style sheet for light and dark.
 
-Figures carry classes, no colours. In a page the style sheet stands once in the head and its CSS variables can be set
-anew; `standalone` puts it into the figure, for a file of its own. No style attribute is written, so that a page may
-forbid them (Content-Security-Policy).
+Figures have classes, not colours. In a page the style sheet is in the head once, and its CSS variables can be
+redefined; `standalone` puts it into the figure, which then is a file of its own. No style attribute is written, so that
+a page may forbid them (Content-Security-Policy).
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ LIGHT = {
     "compass": "#3d7a1f",
     "shade": "#8593a5",
 }
-"""Colours on white: orange is the DEM and the answer, cyan the picture, magenta the alternatives, green the compass."""
+"""Colours on white: orange for the DEM and the answer, cyan for the picture, magenta for the alternatives, green for
+the compass."""
 
 DARK = {
     "ink": "#e6ebf2",
@@ -44,12 +45,12 @@ DARK = {
 
 DISTANCE_LIGHT = ("#3b3226", "#55503f", "#5f6f5a", "#5d8a80", "#6f9fae", "#8fb4cc", "#b4cbe2", "#d5e1ef")
 DISTANCE_DARK = ("#8d7a5e", "#86845f", "#72896a", "#5d8a80", "#4f8096", "#47708f", "#3d5c7c", "#334862")
-"""Near to far, as haze colours mountains: brown, green, blue, pale (on the dark page, fading into it)."""
+"""From near to far, as haze colours mountains: brown, green, blue, pale (on the dark page, fading into it)."""
 
 
 @dataclass(frozen=True)
 class Scale:
-    """Straight map from values to drawing units; `start` and `stop` may run either way."""
+    """Linear map from values to drawing units; `start` and `stop` may be in either order."""
 
     low: float
     high: float
@@ -57,13 +58,13 @@ class Scale:
     stop: float
 
     def __call__(self, value):
-        """Place values (scalar or array)."""
+        """Map values (scalar or array) to positions."""
         span = self.high - self.low or 1.0
         return self.start + (np.asarray(value, float) - self.low) / span * (self.stop - self.start)
 
 
 def ticks(low, high, count=5):
-    """Round values 1, 2 or 5 times a power of ten apart, within [low, high], about `count` of them.
+    """Choose round values, 1, 2 or 5 times a power of ten apart, within [low, high], about `count` of them.
 
     Parameters
     ----------
@@ -73,7 +74,7 @@ def ticks(low, high, count=5):
     Returns
     -------
     array
-        `low` alone where `high` is not above it.
+        Only `low` if `high` is not above it.
     """
     if not high > low:
         return np.array([low])
@@ -98,14 +99,14 @@ def spans_360(first_deg, width_deg):
 
 
 def element(name, content="", **attributes):
-    """Write an element. Trailing underscores fall off names, inner ones become hyphens; None is left out."""
+    """Write an element. Trailing underscores of names are dropped, inner ones become hyphens; None is left out."""
     given = {key.rstrip("_").replace("_", "-"): value for key, value in attributes.items() if value is not None}
     written = "".join(f' {key}="{_value(value)}"' for key, value in given.items())
     return f"<{name}{written}>{content}</{name}>" if content else f"<{name}{written}/>"
 
 
 def text(x, y, words, class_="label", anchor="start", **attributes):
-    """Write words at a place; they are escaped.
+    """Write text at a position, escaped.
 
     Parameters
     ----------
@@ -136,9 +137,9 @@ def line(x1, y1, x2, y2, class_):
 
 
 def polyline_path(x, y):
-    """Path data of a line through points, broken where either coordinate is not finite; '' where nothing is left.
+    """Path data of a line through points, broken where either coordinate is not finite; '' if nothing is left.
 
-    Tenths of a drawing unit, written as steps from point to point, which is half as long as places.
+    Coordinates are rounded to tenths of a drawing unit and written as steps between points, half as long as positions.
     """
     return "".join(_trace(x[run], y[run]) for run, x, y in _known_runs(x, y))
 
@@ -151,7 +152,7 @@ def area_path(x, y, base):
     x, y : (N,) arrays
         The line in drawing units, y downwards; not finite where unknown.
     base : float
-        The y of the level.
+        The y of the base level.
     """
     return "".join(
         _trace(np.r_[x[run.start], x[run], x[run.stop - 1]], np.r_[base, y[run], base]) + "Z"
@@ -167,7 +168,7 @@ def _known_runs(x, y):
 
 def _trace(x, y):
     tenths = np.rint(np.column_stack([x, y]) * 10).astype(np.int64)
-    # Rounding places, not steps, keeps errors from adding up.
+    # Rounding positions, not steps, keeps errors from adding up.
     steps = " ".join(f"{a / 10:g} {b / 10:g}" for a, b in np.diff(tenths, axis=0).tolist())
     first_x, first_y = (tenths[0] / 10).tolist()
     return f"M{first_x:.10g} {first_y:.10g}" + (f"l{steps}" if steps else "")
@@ -183,7 +184,7 @@ def sector_path(centre_x, centre_y, inner, outer, from_deg, width_deg):
     inner, outer : float
         Radii; an inner one of 0 or less gives a slice.
     from_deg, width_deg : float
-        First azimuth, and how far the sector reaches clockwise from it [degrees].
+        First azimuth, and the angle that the sector spans clockwise from it [degrees].
     """
     width_deg = min(float(width_deg), 359.99)
     large = int(width_deg > 180)
@@ -205,7 +206,7 @@ def on_circle(centre_x, centre_y, radius, azimuth_deg):
     Parameters
     ----------
     centre_x, centre_y, radius : float
-        Of the circle in drawing units, y downwards.
+        Circle in drawing units, y downwards.
     azimuth_deg : float or array
         [degrees]
 
@@ -218,14 +219,14 @@ def on_circle(centre_x, centre_y, radius, azimuth_deg):
 
 
 def figure(width, height, title, description, *parts, class_="figure"):
-    """Wrap parts into an accessible drawing: role, name and description are read out, the name also on hovering.
+    """Wrap parts into an accessible drawing: role, name and description are read out; the name is also a tooltip.
 
     Parameters
     ----------
     width, height : float
-        Of the drawing, in its own units.
+        Size of the drawing, in its own units.
     title, description : str
-        Plain words; they are escaped.
+        Plain text; it is escaped.
     *parts : str
         Elements, in the order in which they are drawn.
     class_ : str
@@ -239,7 +240,7 @@ def figure(width, height, title, description, *parts, class_="figure"):
 
 
 def standalone(drawing):
-    """Make a figure a file of its own: with its name space, and a style sheet that follows light or dark themes."""
+    """Make a figure a file of its own, with its namespace and a style sheet that follows light or dark themes."""
     end = drawing.index(">")
     return f'{drawing[:end]} xmlns="{NAMESPACE}"><style>{STYLE}</style>{drawing[end + 1 :]}'
 

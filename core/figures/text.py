@@ -1,7 +1,7 @@
-"""Text from the world outside, made harmless and legible before it enters a figure or a page.
+"""Text from outside sources, made safe and legible before it enters a figure or a page.
 
-The fixed words of figures and pages are English literals inside `say(...)`, where they are used. `say` is handed down
-by the caller: a shell passes a function that gives each in the reader's language, `str` leaves them English.
+The fixed words of figures and pages are English literals inside `say(...)`, where they are used. The caller passes
+`say`: a shell passes a function that translates each into the reader's language, and `str` leaves them English.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ import math
 import unicodedata
 
 LONGEST_TEXT = 400
-"""Characters after which a foreign text is cut; a file name has 255 bytes at most, an EXIF string may have 64 k."""
+"""Characters after which an outside text is cut; a file name has 255 bytes at most, an EXIF string may have 64 k."""
 
 MOST_MARKS = 4
-"""Combining marks kept in a row; more than that would paint over the neighbouring lines."""
+"""Combining marks kept in a row; more of them would overlap the neighbouring lines."""
 
 _DIRECTION_MARKS = {0x061C, 0x200E, 0x200F, *range(0x202A, 0x202F), *range(0x2066, 0x206A)}
 
 
 def plain(text, longest=LONGEST_TEXT):
-    """Make a text of unknown origin safe to show on one line, nothing silently lost.
+    """Make a text of unknown origin safe to show on one line, without losing anything silently.
 
     Line breaks and tabs become spaces. Control characters, surrogates (bytes of a file name that are not UTF-8),
     and marks that turn the writing direction (with which `gpj.exe` can pose as `exe.jpg`) become visible code
@@ -40,7 +40,7 @@ def plain(text, longest=LONGEST_TEXT):
 
 
 def _is_unprintable(character):
-    # Cc control, Cs surrogate, Cn unassigned or noncharacter; Cf would take the joiners of emoji and Persian along.
+    # Cc is control, Cs surrogate, Cn unassigned or noncharacter; Cf would also remove the joiners of emoji and Persian.
     return unicodedata.category(character) in ("Cc", "Cs", "Cn") or 0xE0000 <= ord(character) <= 0xE007F
 
 
@@ -56,7 +56,7 @@ def compass_point(azimuth_deg, say=str):
 
 
 def degrees(angle_deg, decimals=1, signed=False):
-    """Write an angle with its sign: '45.5°', '+2.0°', or an en dash where it is None or not finite.
+    """Write an angle with its sign: '45.5°', '+2.0°', or an en dash if it is None or not finite.
 
     Parameters
     ----------
@@ -77,19 +77,19 @@ def azimuth(azimuth_deg, decimals=1):
 
 
 def with_unit(value, unit, decimals=0, signed=False, space="\u00a0"):
-    """Write a number with its unit, a true minus sign and thousands apart, or an en dash where it is unknown.
+    """Write a number with its unit, a true minus sign and thousands separators, or an en dash if it is unknown.
 
     Parameters
     ----------
     value : float or None
-        Unknown where it is None or not finite.
+        Unknown if it is None or not finite.
     unit : str
-        '' for none.
+        '' for no unit.
     decimals : int
     signed : bool
         Whether positive numbers get a plus sign.
     space : str
-        Between number and unit.
+        Space between number and unit.
     """
     if not is_known(value):
         return "–"
@@ -99,5 +99,5 @@ def with_unit(value, unit, decimals=0, signed=False, space="\u00a0"):
 
 
 def is_known(value):
-    """Tell whether a number is given and finite."""
+    """Return whether a number is given and finite."""
     return value is not None and math.isfinite(value)

@@ -1,1 +1,1 @@
-"""From a DEM to elevation angles: horizon profile, inner ridges, sky view, panorama."""
+"""From a DEM to elevation angles: the horizon profile, inner ridges, the sky view factor and the panorama."""

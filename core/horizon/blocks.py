@@ -1,6 +1,6 @@
-"""Highest elevation of each small block of cells: what lets the horizon search skip nearly all of the terrain.
+"""Highest elevation of each small block of cells, which lets the horizon search skip nearly all of the terrain.
 
-The raster is read once, in strips, and only one number in `block` x `block` cells is kept, so that memory does not
+The raster is read once, in strips, and only one number per `block` x `block` cells is kept, so that memory does not
 depend on the size of the file.
 """
 
@@ -24,14 +24,14 @@ class BlockMaxima:
     Attributes
     ----------
     window : Window
-        What was read; its first row and column are multiples of `block`.
+        Cells that were read; the first row and column are multiples of `block`.
     block : int
         Side of a block [cells].
     highest_m : (R, C) float32 array
         Highest known elevation of the block **and its eight neighbours** [m]; -inf where nothing is known. It
         bounds every interpolated sample within `block` cells of any point in the block.
     own_m : (R, C) float32 array
-        The same of the block alone.
+        Highest known elevation of the block alone [m]; -inf where nothing is known.
     has_void, all_void : (R, C) bool arrays
         Whether some cell of the block or its neighbours, or every cell of the block itself, is without data.
     summit_m : float
@@ -47,7 +47,7 @@ class BlockMaxima:
     summit_m: float
 
     def index(self, col_px, row_px):
-        """Block (row, column) under pixels of the whole raster, held inside the window."""
+        """Block (row, column) of pixels of the whole raster, clamped to the window."""
         return tuple(self._held(self.scaled(place, axis), axis) for axis, place in enumerate((row_px, col_px)))
 
     def scaled(self, place_px, axis):
@@ -56,7 +56,7 @@ class BlockMaxima:
         return (np.asarray(place_px) + (0.5 - start)) * (1.0 / self.block)  # a power of two: exact
 
     def flat_index_in_place(self, block_row, block_col):
-        """Places in the flattened tables of rows and columns counted in blocks, two arrays that are overwritten."""
+        """Positions in the flattened tables of rows and columns counted in blocks; overwrites both arrays."""
         row, col = (self._held(place, axis, place) for axis, place in enumerate((block_row, block_col)))
         row *= self.highest_m.shape[1]
         row += col
@@ -67,14 +67,14 @@ class BlockMaxima:
         return np.maximum(place, 0.0, out=out).astype(np.intp)
 
     def highest_around(self, col_px, row_px, half_px):
-        """Bound the known elevations around places [m].
+        """Bound the known elevations around positions [m].
 
         Parameters
         ----------
         col_px, row_px : array
-            Of the whole raster [pixels].
+            Positions in the whole raster [pixels].
         half_px : float
-            How far around, at most half a block [cells].
+            Radius around each position, at most half a block [cells].
         """
         (top, left), (bottom, right) = (self.index(col_px + way, row_px + way) for way in (-half_px, half_px))
         cols, flat = self.own_m.shape[1], self.own_m.reshape(-1)
@@ -91,7 +91,7 @@ def aligned(window, block, shape):
     block : int
         Side of a block [cells].
     shape : (rows, columns)
-        Of the raster, to which the window is cut.
+        Shape of the raster, to which the window is cut.
     """
     row, col = max(window.row, 0) // block * block, max(window.col, 0) // block * block
     return Window(row, col, window.row + window.rows - row, window.col + window.cols - col).clipped(shape)
@@ -109,8 +109,8 @@ def block_maxima(terrain, window, block, progress=SILENT, columns=None):
         Side of a block, a power of two that divides `STRIP_ROWS` [cells].
     progress : Progress
     columns : callable or None
-        (first row, last row) -> first and last column that matter there, or None for all. Blocks that lie wholly
-        beside them are not read: nothing is known of them.
+        (first row, last row) -> first and last column that matter there, or None for all columns. Blocks that lie
+        wholly outside these columns are not read and count as unknown.
 
     Returns
     -------
@@ -142,7 +142,7 @@ def block_maxima(terrain, window, block, progress=SILENT, columns=None):
 
 
 def _block_columns(columns, window, block):
-    """First and last but one column of blocks that hold the given columns of cells."""
+    """First column of blocks that holds the given columns of cells, and the one after the last."""
     count = -(-window.cols // block)
     if columns is None:
         return 0, count
@@ -151,7 +151,7 @@ def _block_columns(columns, window, block):
 
 
 def _maxima_of(strip, block):
-    """Maximum of each block of a strip; NaN wherever a block holds one."""
+    """Maximum of each block of a strip; NaN if a block holds one."""
     rows, cols = strip.shape
     lines = np.empty((-(-rows // block), -(-cols // block) * block), np.float32)
     lines[:, cols:] = -np.inf
@@ -164,7 +164,7 @@ def _maxima_of(strip, block):
 
 
 def _with_neighbours(values, radius=1):
-    """Maximum of each element and its neighbours. (SciPy's filter is no faster, and costs its import.)"""
+    """Maximum of each element and its neighbours. (SciPy's filter is no faster, and importing it takes time.)"""
     for _ in range(2):
         highest = values.copy()
         for step in range(1, radius + 1):
@@ -175,15 +175,15 @@ def _with_neighbours(values, radius=1):
 
 
 def highest_close_by(terrain, window, half_px):
-    """Look up what `BlockMaxima.highest_around` bounds, in a window of few cells and to a cell.
+    """Prepare the bound of `BlockMaxima.highest_around` to the nearest cell, in a window of few cells.
 
     Parameters
     ----------
     terrain : Terrain
     window : Window
-        Inside the raster.
+        Window inside the raster.
     half_px : float
-        How far around a place [cells].
+        Radius around each position [cells].
 
     Returns
     -------
@@ -201,17 +201,17 @@ def highest_close_by(terrain, window, half_px):
 
 
 class HeldTerrain(Terrain):
-    """A terrain of which the rows nearest one place stay in memory once they are read.
+    """A terrain that keeps the rows nearest one position in memory once they have been read.
 
     Parameters
     ----------
     terrain : Terrain
     window : Window
-        All that will be read.
+        All cells that will be read.
     middle_row : float
-        The rows around it are kept.
+        Row around which rows are kept.
     memory_mb : float
-        So much may be kept [MB].
+        Most memory for the rows that are kept [MB].
     """
 
     def __init__(self, terrain, window, middle_row, memory_mb):
@@ -227,7 +227,7 @@ class HeldTerrain(Terrain):
         self._kept = Window(first, window.col, min(count, end - first), window.cols)
         self._cells = np.empty((self._kept.rows, self._kept.cols), np.float32)
         self._scratch = np.empty(0 if self.whole else STRIP_ROWS * window.cols, np.float32)
-        # Columns known of each row, from the first up to the last but one; none yet.
+        # First known column of each row and the one after the last; none yet.
         self._first, self._last = np.full(self._kept.rows, self._kept.cols), np.zeros(self._kept.rows, int)
 
     def read(self, window):
@@ -239,7 +239,7 @@ class HeldTerrain(Terrain):
         return self._terrain.frame(longitude_deg, latitude_deg, radius_m)
 
     def read_transient(self, window):
-        """See `Terrain.read_transient`: rows that are not kept come into memory that the next reading overwrites."""
+        """See `Terrain.read_transient`: rows that are not kept go into memory that the next reading overwrites."""
         cells = self._kept_cells(window)
         if cells is None:
             size = window.rows * window.cols
@@ -257,28 +257,28 @@ class HeldTerrain(Terrain):
             out[...] = cells
 
     def _kept_cells(self, window):
-        """The window's cells, read now if they are to be kept; None where they are not."""
+        """Cells of the window, read now if they are to be kept; None if they are not."""
         kept = self._kept
         row, col = window.row - kept.row, window.col - kept.col
         rows, cols = slice(row, row + window.rows), slice(col, col + window.cols)
         if row < 0 or col < 0 or rows.stop > kept.rows or cols.stop > kept.cols:
             return None
         if self._first[rows].max(initial=0) > cols.start or self._last[rows].min(initial=kept.cols) < cols.stop:
-            if self._last[rows].any():  # lest what is known be forgotten
+            if self._last[rows].any():  # so that known columns are not forgotten
                 return None
             self._terrain.read_into(window, self._cells[rows, cols])
             self._first[rows], self._last[rows] = cols.start, cols.stop
         return self._cells[rows, cols]
 
     def held(self, row_px, col_px, margin_px):
-        """Tell around which pixels all cells are in memory.
+        """Return the pixels around which all cells are in memory.
 
         Parameters
         ----------
         row_px, col_px : (N,) arrays
-            Of the whole raster [pixels].
+            Pixels of the whole raster.
         margin_px : int
-            How far around, to which the interpolation's stencil is added [cells].
+            Radius, to which the interpolation's stencil is added [cells].
         """
         kept = self._kept
         if kept.rows == 0:
@@ -288,7 +288,7 @@ class HeldTerrain(Terrain):
             for place, start, end in ((row_px, kept.row, self.shape[0]), (col_px, kept.col, self.shape[1]))
         )
         known = (top >= 0) & (bottom < kept.rows)
-        for step in range(0, 2 * margin_px + 5 + STRIP_ROWS, STRIP_ROWS):  # columns are the same in all of a strip
+        for step in range(0, 2 * margin_px + 5 + STRIP_ROWS, STRIP_ROWS):  # all rows of a strip have the same columns
             row = np.clip(np.minimum(top + step, bottom), 0, kept.rows - 1).astype(np.intp)
             known &= (self._first[row] <= left) & (self._last[row] > right)
         return known

@@ -1,7 +1,7 @@
 """Terrain sampled along rays around one observer: elevations and sight-line tangents by azimuth and distance.
 
-What lies inside the view, below the horizon, needs no bounded search: samples that grow apart with the distance do,
-and all that is asked about the inside is read from the same ones.
+Terrain below the horizon needs no bounded search. Samples whose spacing grows with the distance suffice, and all
+questions about that terrain are answered from the same samples.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ..base.terrain import Window, bilinear, eye_elevation_m
 
 @dataclass(frozen=True)
 class RayOptions:
-    """Where to sample.
+    """Where to sample the terrain.
 
     Attributes
     ----------
@@ -26,11 +26,11 @@ class RayOptions:
     near_cells, near_m : float
         Rays start at the larger of both [cells, m].
     max_distance_m : float
-        And end here [m].
+        Rays end at this distance [m].
     max_cells : int
-        Half the side of the window read, so that memory and time are bounded; shortens the rays in fine DEMs.
+        Half the side of the window that is read, which bounds memory and time; it shortens the rays in fine DEMs.
     growth : float
-        Samples lie at least this share of their distance apart, and at least a cell.
+        Samples lie at least this share of their distance apart, and at least one cell.
     refraction_coefficient : float
         See `core.base.curvature`.
     """
@@ -57,11 +57,11 @@ class GroundRays:
     azimuth_deg : (A,) array
         Regular over the circle, clockwise from true north [degrees].
     distance_m : (D,) array
-        Increasing [m]; fewer than three where the terrain does not reach that far.
+        Increasing [m]; fewer than three values if the terrain does not reach that far.
     elevation_m : (A, D) array
-        [m], NaN outside the DEM and in voids.
+        Elevations [m]; NaN outside the DEM and in voids.
     tangent : (A, D) array
-        Of the elevation angle at which the sample is seen, were nothing before it; NaN as above.
+        Tangent of the elevation angle at which the sample would be seen if nothing stood before it; NaN as above.
     """
 
     azimuth_deg: np.ndarray
@@ -116,5 +116,6 @@ def _sample(terrain, col, row):
     first_row, first_col = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
     last_row, last_col = int(np.ceil(row.max())) + 2, int(np.ceil(col.max())) + 2
     window = Window(first_row, first_col, last_row - first_row, last_col - first_col).clipped(terrain.shape)
-    # Exactly, not by a picture's remapping: its steps of 1/32 pixel would be slopes between neighbouring rays.
+    # Exact interpolation, not an image remapping: its steps of 1/32 pixel would become slopes between neighbouring
+    # rays.
     return bilinear(terrain.read(window), row - window.row, col - window.col)

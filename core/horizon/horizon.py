@@ -1,9 +1,9 @@
-"""The sky-terrain boundary around one observer, exact to a fraction of a cell, for a DEM of any size and CRS.
+"""The boundary of sky and terrain around one observer, exact to a fraction of a cell, for a DEM of any size and CRS.
 
-Rays run at true azimuths and true ground distances. Each is cut into intervals of a few cells; the highest cell of
-the blocks around an interval bounds every elevation angle in it, so that nearly all intervals are dismissed without
-a look at their terrain, and the survivors are sampled wherever the ray crosses a grid line.
-The bound is a true one: dropping intervals by it never changes the answer.
+Rays run at true azimuths and true ground distances. Each ray is cut into intervals of a few cells. The highest cell
+of the blocks around an interval bounds every elevation angle in it, so that nearly all intervals are dismissed
+without examining their terrain. The remaining intervals are sampled wherever the ray crosses a grid line.
+It is a true upper bound: dropping intervals by it never changes the answer.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ BLOCK = 8
 """Side of the blocks whose maxima bound the rays' intervals [cells]."""
 
 MAX_PAIRS = 32_000_000
-"""(Ray, interval) pairs held at once; beyond, blocks and intervals are doubled."""
+"""Most (ray, interval) pairs in memory at once; above this, blocks and intervals are doubled."""
 
 
 @dataclass(frozen=True)
@@ -37,22 +37,22 @@ class HorizonOptions:
     azimuth_step_deg : float
         Spacing of the azimuths; rounded so that it divides the circle [degrees].
     max_distance_m : float
-        Search range; ends earlier where the DEM does [m].
+        Search range; it ends earlier if the DEM does [m].
     refraction_coefficient : float
         k of `apparent_drop_m`.
     curvature : bool
-        Account for the earth's curvature and refraction; False for a plane earth with straight rays.
+        Account for the earth's curvature and refraction; False assumes a plane earth and straight rays.
     near_skip_cells : float
-        The search starts this far from the observer [cells]: nearer, the DEM says nothing about what the eye sees.
+        The search starts this far from the observer [cells]: any nearer, the DEM does not describe what the eye sees.
     lines_per_cell : int
         Samples lie where a ray crosses grid lines, and this many lines count as one cell: 1 for the cells' centre
         lines only, where an interpolated surface has its kinks, 2 also half-way.
     summit_m : float or None
-        Highest elevation to expect where the DEM is silent (beyond its edge, in voids) [m]; None takes the highest
-        cell within range. It decides `HorizonProfile.clipped` and `void` and nothing else.
+        Highest elevation to expect where the DEM has no data (beyond its edge, in voids) [m]; None takes the highest
+        cell within range. It decides only `HorizonProfile.clipped` and `void`.
     memory_mb : float
-        So much of the terrain is held in memory, around the observer; what lies beyond is read twice, in strips and
-        in small pieces [MB]. The result is the same.
+        Most terrain that is held in memory, around the observer; the rest is read twice, in strips and in small
+        pieces [MB]. The result is the same.
     """
 
     azimuth_step_deg: float = 0.1
@@ -103,9 +103,9 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     -------
     HorizonProfile
         `elevation_deg` and `distance_m` are NaN in directions in which nothing is known. `reach_m` ends where the
-        DEM's data end. `clipped` is set where they end before `max_distance_m` and a summit of `summit_m` just
-        beyond (or farther, where it would look higher) would stand above the horizon found; `void` where cells
-        without data lie on the ray before that end and such a summit in them would.
+        DEM's data end. `clipped` is set if they end before `max_distance_m` and a summit of `summit_m` just
+        beyond (or farther, if it would look higher there) would stand above the horizon found. `void` is set if cells
+        without data lie on the ray before that end and a summit of that height in them would stand above the horizon.
 
     Raises
     ------
@@ -136,7 +136,7 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
 
 
 def _intervals(rays, start_m):
-    """Edges of the rays' intervals [m], and the block size whose bound covers them."""
+    """Edges of the rays' intervals [m], and the block size whose bound covers the intervals."""
     furthest = float(rays.reach_m.max())
     if furthest <= start_m:
         return np.array([start_m]), BLOCK
@@ -165,7 +165,7 @@ def _window(rays, shape):
 
 
 def _profile(sight, options, summit_m, found):
-    """Put the result together and judge where the DEM ends too early."""
+    """Assemble the result and determine where the DEM ends too early."""
     tangent = found.tangent
     return HorizonProfile(
         azimuth_deg=sight.rays.azimuth_deg,
@@ -180,10 +180,10 @@ def _profile(sight, options, summit_m, found):
 
 
 def _clipped(reach, tangent, height_m, options):
-    """Whether a summit beyond the reach but within range would rise above the horizon found."""
+    """Return whether a summit beyond the reach but within range would rise above the horizon found."""
     ends_early = reach < options.max_distance_m * (1 - 1e-9)
     at = np.maximum(reach, 1e-3)
-    if height_m < 0 and options.drop_per_m2 > 0:  # low ground looks highest where the earth's bend begins to win
+    if height_m < 0 and options.drop_per_m2 > 0:  # low ground looks highest where the curvature term begins to dominate
         at = np.clip(np.sqrt(-height_m / options.drop_per_m2), at, np.maximum(at, options.max_distance_m))
     elif height_m < 0:
         at = np.maximum(at, options.max_distance_m)

@@ -1,4 +1,4 @@
-"""All that the matcher asks about the terrain below the horizon, from one set of rays."""
+"""Everything that the matcher needs to know about the terrain below the horizon, from one set of rays."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ class InnerOptions:
 
 @dataclass(frozen=True, eq=False)
 class InnerTerrain:
-    """The inside of the view around one observer.
+    """The terrain below the horizon around one observer.
 
     Attributes
     ----------
     ridges : RidgeEdges
     ground : GroundView or None
-        None where the DEM holds no ground that far from the observer.
+        None if the DEM holds no ground that far from the observer.
     """
 
     ridges: RidgeEdges
@@ -35,7 +35,18 @@ class InnerTerrain:
 
 
 def inner_terrain(terrain, observer, options=InnerOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Look at the terrain around an observer.
+    """Sample the terrain around an observer and find the ridges and the ground in view.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    options : InnerOptions
+    progress : Progress
+
+    Returns
+    -------
+    InnerTerrain
 
     Parameters
     ----------
@@ -57,10 +68,10 @@ def inner_terrain(terrain, observer, options=InnerOptions(), progress=SILENT):  
 
 
 ATTRIBUTES = ("normal_east", "normal_north", "normal_up", "log_distance", "elevation_km")
-"""Planes of a `GroundView`: the surface's unit normal, log of the distance in metres, elevation in kilometres."""
+"""Planes of a `GroundView`: unit normal of the surface, log of the distance in metres, elevation in kilometres."""
 
 LOWEST_DEG, HIGHEST_DEG = -60.0, 80.0
-"""Elevation angles of interest."""
+"""Range of elevation angles that is kept [degrees]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +83,7 @@ class GroundView:
     azimuth_step_deg : float
         Columns start at true north and run clockwise [degrees].
     first_elevation_deg, elevation_step_deg : float
-        Of the rows, upwards [degrees].
+        Elevation angle of the first row, and spacing of the rows, upwards [degrees].
     planes : (F, E, A) float16 array
         See `ATTRIBUTES`; NaN in the sky, and where the ground is too near or unknown.
     """
@@ -93,16 +104,16 @@ class GroundView:
 
 
 def ground_view(rays):
-    """Tell which ground is seen in each direction.
+    """Find the ground that is seen in each direction.
 
     Parameters
     ----------
-    rays : ground_rays.GroundRays
+    rays : GroundRays
 
     Returns
     -------
     GroundView or None
-        None where the rays reach no ground at all. Rows are as far apart as the rays.
+        None if the rays reach no ground at all. The rows are as far apart as the rays.
     """
     step = float(rays.azimuth_deg[1] - rays.azimuth_deg[0])
     known = np.isfinite(rays.tangent)
@@ -115,7 +126,7 @@ def ground_view(rays):
     elevation = np.arange(first, min(high, HIGHEST_DEG) + step, step)
     tangent = np.tan(np.radians(elevation))
     sample = np.stack([np.searchsorted(line, tangent) for line in highest], axis=1)
-    # The first sample of a ray hides what lies nearer: no telling which ground that is.
+    # The first sample of a ray hides whatever lies nearer, so the ground there is not known.
     seen = (sample > 0) & (sample < len(rays.distance_m))
     sample = np.where(seen, sample, 0)
     ray = np.arange(len(rays.azimuth_deg))[None, :]
@@ -125,7 +136,7 @@ def ground_view(rays):
 
 
 def _normals(rays):
-    """East, north and up of the surface's unit normal at every sample, three (A, D) arrays."""
+    """East, north and up components of the surface's unit normal at every sample, three (A, D) arrays."""
     turn = np.radians(rays.azimuth_deg)[:, None]
     outwards = np.gradient(rays.elevation_m, rays.distance_m, axis=1)
     neighbours = np.roll(rays.elevation_m, -1, axis=0) - np.roll(rays.elevation_m, 1, axis=0)

@@ -1,8 +1,8 @@
 """The outline panorama of a place: the horizon and every inner ridge, as lines over azimuth and elevation angle.
 
 Terrain is sampled along rays all around. A ridge stands where visible ground is followed by a hidden stretch: its
-last visible sample is a point of an outline, and the last one of all is the horizon. Points of neighbouring rays at
-like height and distance are joined to lines.
+last visible sample is a point of an outline, and the last visible sample of the whole ray is the horizon. Points of
+neighbouring rays at similar heights and distances are joined into lines.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ MAX_DISTANCE_JUMP = 0.2
 
 @dataclass(frozen=True)
 class PanoramaOptions:
-    """How to draw a view all round.
+    """How to draw the view all around.
 
     Attributes
     ----------
     step_deg : float
-        Between rays [degrees].
+        Spacing of the rays [degrees].
     min_distance_m, max_distance_m : float
-        Range [m]; ground nearer than the minimum is left out.
+        Range of distances [m]; ground nearer than the minimum is left out.
     hidden_share : float
-        An inner ridge is drawn where the ground hidden behind it is deeper than this share of its distance.
+        An inner ridge is drawn if the ground hidden behind it is deeper than this share of its distance.
     shortest_deg : float
         Inner outlines narrower than this are left out [degrees].
     refraction_coefficient : float
@@ -63,11 +63,11 @@ class Outline:
     Attributes
     ----------
     azimuth_deg : (N,) array
-        Increasing, not wrapped: a line across north goes on beyond 360 [degrees].
+        Increasing, not wrapped: a line across north continues beyond 360 [degrees].
     elevation_deg, distance_m : (N,) arrays
-        [degrees], [m].
+        Elevation angle [degrees] and distance [m] of each point.
     horizon : bool
-        Part of the boundary to the sky.
+        The line is part of the boundary with the sky.
     """
 
     azimuth_deg: np.ndarray
@@ -137,13 +137,13 @@ def sample_distances_m(cell_m, options):
     distances, distance = [], options.min_distance_m
     while distance < options.max_distance_m:
         distances.append(distance)
-        # Near by, a crest between two samples would be missed by whole degrees.
+        # Close to the eye, a crest between two samples would be missed by whole degrees.
         distance += min(max(0.5 * cell_m, growth * distance), NEAR_SHARE * distance)
     return np.array([*distances, options.max_distance_m])
 
 
 def _ridges(elevation_deg, distance_m, cell_m, options):
-    """Per ray, points (elevation, distance, is horizon) where visible ground ends, near to far."""
+    """Points (elevation, distance, is horizon) of each ray where visible ground ends, near to far."""
     known = np.where(np.isfinite(elevation_deg), elevation_deg, -np.inf)
     highest = np.maximum.accumulate(known, axis=1)
     visible = (known >= highest) & np.isfinite(known)
@@ -183,7 +183,7 @@ def _join(columns, azimuth_deg, options):
 
 
 def _nearest_line(lines, point, climb):
-    """Take out of `lines` the one whose end continues best in `point`; None where none does."""
+    """Take from `lines` the one whose end continues best in `point`; None if there is none."""
     best, best_cost = None, 2.0
     for key, line in lines.items():
         _, elevation, distance, _ = line[-1]
@@ -195,7 +195,7 @@ def _nearest_line(lines, point, climb):
 
 
 def _close_circle(ends, starts, climb):
-    """Let lines that end before north go on in lines that start at it."""
+    """Join lines that end before north to lines that start at it."""
     closed = []
     for line in ends:
         for start in starts:
@@ -208,7 +208,7 @@ def _close_circle(ends, starts, climb):
 
 
 def _outlines_of(line):
-    """Cut a joined line where it comes out of, or goes behind, the horizon."""
+    """Cut a joined line at the places where it emerges from the horizon or passes behind it."""
     azimuth, elevation, distance, horizon = (np.array(column) for column in zip(*line))
     change = np.flatnonzero(np.diff(horizon.astype(int))) + 1
     for start, stop in zip(np.r_[0, change], np.r_[change, azimuth.size]):

@@ -1,4 +1,4 @@
-"""The terrain around many scattered intervals of rays, read piece by piece into one array and sampled at once."""
+"""The terrain around many scattered intervals of rays, read piece by piece into one array and sampled together."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from ..base.terrain import Window
 
 TILE = 256
-"""Intervals whose middles lie in one square of this side share a piece [cells]."""
+"""Intervals whose midpoints lie in one square of this side share a piece [cells]."""
 
 HELD_CELLS = 1_000_000
 """Cells of pieces in memory at once: 4 MB, which stay in the processor's cache."""
@@ -24,7 +24,7 @@ class Pieces:
     cells : (N,) float32 array
         Elevations [m], NaN where unknown.
     corner, top, left, rows, cols : (J,) int arrays
-        Of each job's window: place of its first cell in `cells`, first row and column in the raster, and size.
+        Window of each job: position of its first cell in `cells`, first row and column in the raster, and size.
     """
 
     cells: np.ndarray
@@ -42,9 +42,9 @@ class Pieces:
     def elevation_m(self, row_px, col_px):
         """Bilinear elevation at (J, K) pixels of the whole raster, K per job [m]; NaN where unknown.
 
-        Half a cell beyond the raster's outer centres these hold. Shares are taken before a window's origin is
-        subtracted: the result is the same to the last bit whichever window the cells come from. (`bilinear` cannot
-        promise that, and reads one window at a time.)
+        Positions up to half a cell beyond the raster's outer centres take the outer cells. Shares are computed before a
+        window's origin is subtracted, so that the result is the same to the last bit whichever window the cells come
+        from. (`bilinear` cannot guarantee that, and reads one window at a time.)
         """
         row0, row_share = _split(row_px, self.top, self.rows)
         col0, col_share = _split(col_px, self.left, self.cols)
@@ -74,14 +74,14 @@ class Pieces:
         place_px : (J, K) array
             Row (or column) of the crossings, monotonic along each job.
         columns : bool
-            Whether the lines are columns.
+            The lines are columns.
         """
         first, count = (self.top, self.rows) if columns else (self.left, self.cols)
         whole = np.floor(place_px)
         lowest, highest = first[:, None], (first + np.maximum(count - 2, 0))[:, None]
         ends = whole[:, [0, -1]]
         outside = (ends < lowest).any() or (ends > highest).any()
-        if outside:  # half a cell beyond the outer centres
+        if outside:  # up to half a cell beyond the outer centres
             whole = np.minimum(np.maximum(whole, lowest, out=whole), highest)
         share = place_px - whole
         if outside:
@@ -113,42 +113,42 @@ def _split(place_px, first, count):
 
 
 def _of_known(values, row_share, col_share):
-    """Interpolate where some corners are NaN: a cell without weight does not make a sample unknown."""
+    """Interpolate cells of which some corners are NaN: a corner without weight does not make a sample unknown."""
     weights = [a * b for a in (1 - row_share, row_share) for b in (1 - col_share, col_share)]
     return sum(np.where(weight > 0, weight * value, 0.0) for weight, value in zip(weights, values))
 
 
 def one_piece(cells, window, count):
-    """Give the terrain of jobs that lie in one window.
+    """Make `Pieces` for jobs that all lie in one window.
 
     Parameters
     ----------
     cells : (rows, cols) float32 array
-        Of the window [m].
+        Elevations in the window [m].
     window : Window
     count : int
-        Of the jobs.
+        Number of jobs.
     """
     place = 0, window.row, window.col, window.rows, window.cols
     return Pieces(np.ascontiguousarray(cells).reshape(-1), *(np.full(count, number) for number in place))
 
 
 def read_transient_pieces(terrain, row_px, col_px, margin_px):
-    """Read the terrain around places, square by square.
+    """Read the terrain around positions, square by square.
 
     Parameters
     ----------
     terrain : Terrain
     row_px, col_px : (J,) arrays
-        Middle of each job [pixels].
+        Midpoint of each job [pixels].
     margin_px : int
-        How far a job reaches from there, with the interpolation's stencil [cells].
+        Distance that a job reaches from its midpoint, with the interpolation's stencil [cells].
 
     Yields
     ------
     jobs : int array
     pieces : Pieces
-        Of these jobs, in their order; asking for the next ones overwrites their cells.
+        Pieces of these jobs, in their order; the next iteration overwrites their cells.
     """
     if len(row_px) == 0:
         return
@@ -157,7 +157,7 @@ def read_transient_pieces(terrain, row_px, col_px, margin_px):
     windows = _windows(row_px[order], col_px[order], starts, margin_px, terrain.shape)
     ends = np.append(starts[1:], len(order))
     size = [window.rows * window.cols for window in windows]
-    buffer = np.empty(max(min(sum(size), HELD_CELLS), max(size)), np.float32)  # used again: new memory is dear
+    buffer = np.empty(max(min(sum(size), HELD_CELLS), max(size)), np.float32)  # reused: new memory is slow
     first = 0
     while first < len(windows):
         last, total = first + 1, size[first]
@@ -170,21 +170,21 @@ def read_transient_pieces(terrain, row_px, col_px, margin_px):
 
 
 def by_tiles(row_px, col_px, shape):
-    """Sort places by the squares that they lie in.
+    """Sort positions by the squares that they lie in.
 
     Parameters
     ----------
     row_px, col_px : (J,) arrays
-        [pixels].
+        Positions [pixels].
     shape : (rows, columns)
-        Of the raster.
+        Shape of the raster.
 
     Returns
     -------
     order : (J,) int array
-        In which places of one square follow one another.
+        Order in which positions of one square follow one another.
     key : (J,) int array
-        Number of each place's square, not yet in that order.
+        Number of each position's square, not yet in that order.
     """
     rows, cols = shape
     tile_row = np.clip(row_px, 0, rows - 1).astype(np.intp) // TILE
@@ -194,7 +194,7 @@ def by_tiles(row_px, col_px, shape):
 
 
 def _windows(row_px, col_px, starts, margin_px, shape):
-    """Smallest rectangle around each group of jobs, so that a lone ridge does not cost a whole square."""
+    """Smallest rectangle around each group of jobs, so that a single ridge does not cost a whole square."""
     top, left = (np.minimum.reduceat(place, starts) - margin_px for place in (row_px, col_px))
     bottom, right = (np.maximum.reduceat(place, starts) + margin_px + 1 for place in (row_px, col_px))
     edges = zip(top.tolist(), left.tolist(), bottom.tolist(), right.tolist())

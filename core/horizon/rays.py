@@ -8,13 +8,13 @@ from functools import cached_property
 import numpy as np
 
 NODES = 9, 65
-"""Least and most nodes along a ray, between which pixel positions are interpolated."""
+"""Fewest and most nodes along a ray, between which pixel positions are interpolated."""
 
 BEND_PX = 0.002
-"""So far a ray may run from its true way between two nodes, where the most nodes do not take it farther [cells]."""
+"""Largest deviation of a ray from its true course between two nodes, unless even the most nodes exceed it [cells]."""
 
 OUTLINE_RAYS = 360
-"""So many rays outline what they cover."""
+"""Number of rays that outline the area they cover."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class Rays:
     col_px, row_px : (A, M) arrays
         Position of the nodes in the whole raster [pixels].
     reach_m : (A,) array
-        Where each ray leaves the raster's cells, at most the last node [m].
+        Distance at which each ray leaves the raster's cells, at most the last node [m].
     """
 
     azimuth_deg: np.ndarray
@@ -45,7 +45,10 @@ class Rays:
         return tuple(table[rays] @ weights for table in (self.col_px, self.row_px))
 
     def weights(self, distance_m):
-        """Shares of the nodes in the positions at some distances: (M, D), as a product is faster than looking up."""
+        """Shares of the nodes in the positions at some distances: (M, D).
+
+        A matrix product is faster than looking them up.
+        """
         place = np.asarray(distance_m) / self.node_m[1]
         low = np.minimum(place.astype(np.intp), len(self.node_m) - 2)
         weights, share, number = np.zeros((len(self.node_m), len(place))), place - low, np.arange(len(place))
@@ -62,19 +65,19 @@ class Rays:
         )
 
     def columns(self, first_row, last_row, margin_px):
-        """Find the first and last column that rays touch between two rows; None where there are too few to tell.
+        """Find the first and last column that rays touch between two rows; None if there are too few rays.
 
         Parameters
         ----------
         first_row, last_row : int
-            Of the whole raster.
+            Rows of the whole raster.
         margin_px : int
-            Added all around [cells].
+            Margin added on all sides [cells].
 
         Notes
         -----
-        Rays lie around the observer like the ribs of a fan, so that their ends, close together, outline what they
-        cover; between two of them lies no more than their distance.
+        Rays lie around the observer like the ribs of a fan, so that their ends, close together, outline the area that
+        they cover; between two ends lies no more than the distance between them.
         """
         col, row = self._ends
         if len(col) < OUTLINE_RAYS:
@@ -99,7 +102,7 @@ class Rays:
 
 @dataclass(frozen=True, eq=False)
 class EyeRays:
-    """What every tangent needs: rays, interval edges, eye and curvature.
+    """The data that every tangent needs: rays, interval edges, eye and curvature.
 
     Attributes
     ----------
@@ -124,7 +127,7 @@ class EyeRays:
     cell_m: float
 
     def tangent(self, elevation_m, distance_m):
-        """Tangent of the elevation angle under which terrain at a distance is seen."""
+        """Tangent of the elevation angle at which terrain at a distance is seen."""
         return (elevation_m - self.eye_m) / distance_m - self.drop_per_m2 * distance_m
 
 
@@ -136,9 +139,9 @@ class IntervalJobs:
     ----------
     ray, interval : (J,) int arrays
     floor : (J,) array
-        Tangents that the caller has already: intervals that stay well below are not looked at more closely.
+        Tangents that the caller already has; intervals that stay well below are not examined more closely.
     doubtful : (J,) bool array
-        Around which intervals there may be cells without data; around all others there are none.
+        Intervals that may have cells without data around them; all others have none.
     """
 
     ray: np.ndarray
@@ -154,9 +157,9 @@ class Stretches:
     Attributes
     ----------
     ends : tuple of four (J,) arrays
-        Column and row of their starts, column and row of their ends [pixels].
+        Column and row of their starts, then column and row of their ends [pixels].
     start_m, end_m : (J,) arrays
-        Distances of both [m].
+        Distances of the starts and of the ends [m].
     """
 
     ends: tuple
@@ -164,7 +167,7 @@ class Stretches:
     end_m: np.ndarray
 
     def part(self, chosen):
-        """Give some of them."""
+        """Return some of the stretches."""
         return Stretches(tuple(place[chosen] for place in self.ends), self.start_m[chosen], self.end_m[chosen])
 
 
@@ -175,11 +178,11 @@ def lay_rays(frame, shape, azimuth_deg, max_distance_m):
     ----------
     frame : LocalFrame
     shape : (rows, columns)
-        Of the raster.
+        Shape of the raster.
     azimuth_deg : (A,) array
-        True [degrees].
+        True azimuths [degrees].
     max_distance_m : float
-        [m].
+        Length of the rays [m].
 
     Returns
     -------
@@ -190,7 +193,7 @@ def lay_rays(frame, shape, azimuth_deg, max_distance_m):
     A ray ends where it leaves the outer cells' area for the first time, or at `max_distance_m`.
     """
     limit = max_distance_m
-    for _ in range(2):  # a small raster in a long range: spend the nodes where the raster is
+    for _ in range(2):  # a small raster in a long range: place the nodes where the raster is
         nodes = _nodes(frame, limit)
         node_m = np.linspace(0.0, limit, nodes)
         turn = np.radians(azimuth_deg)[:, None]
@@ -204,13 +207,14 @@ def lay_rays(frame, shape, azimuth_deg, max_distance_m):
 
 
 def _nodes(frame, limit_m):
-    """How many nodes rays need in a frame that bends as this one does."""
+    """Number of nodes that rays need in a frame with this much bending."""
     table = frame.remainder_px
     if table is None:
         return 2
     bend_px = max(np.abs(np.diff(table, 2, axis=axis)).max(initial=0.0) for axis in (1, 2))
     table_step_m = 2 * frame.radius_m / (table.shape[-1] - 1)
-    # Along a ray both axes' bends, and their mixed one, can add up to twice the larger; between nodes it is an eighth.
+    # Along a ray the bends of both axes and the mixed term can add up to twice the larger one; between nodes an eighth
+    # remains.
     step_m = table_step_m * np.sqrt(BEND_PX * 8 / (2 * max(bend_px, 1e-12)))
     return int(np.clip(np.ceil(limit_m / step_m) + 1, *NODES))
 

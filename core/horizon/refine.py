@@ -1,4 +1,4 @@
-"""Sample the few ray intervals that may hold the horizon, at a fraction of a cell."""
+"""Sampling of the few ray intervals that may hold the horizon, at a fraction of a cell."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .pieces import by_tiles, one_piece, read_transient_pieces
 from .rays import Stretches
 
 BULGE = 0.25
-"""The surface between grid lines is looked at where the best sample on them is not this far below the floor [cells]."""
+"""The surface between grid lines is examined unless the best sample on them is this far below the floor [cells]."""
 
 BATCH = 2048
 """Intervals sampled at once: some ten thousand samples stay in the processor's cache."""
@@ -24,7 +24,7 @@ def search_intervals(terrain, sight, wanted, margin_px, progress=SILENT):
     sight : EyeRays
     wanted : IntervalJobs
     margin_px : int
-        How far an interval reaches from its middle, with the interpolation's stencil [cells].
+        Distance that an interval reaches from its midpoint, with the interpolation's stencil [cells].
     progress : Progress
 
     Returns
@@ -32,7 +32,7 @@ def search_intervals(terrain, sight, wanted, margin_px, progress=SILENT):
     tangent, distance_m : (J,) arrays
         -inf and NaN where no sample is known.
     void : (J,) bool array
-        A sample of the interval falls on cells without data.
+        True if a sample of the interval falls on cells without data.
     """
     ray, interval = wanted.ray, wanted.interval
     tangent, distance = np.full(len(ray), -np.inf), np.full(len(ray), np.nan)
@@ -85,16 +85,16 @@ def _sample(sample, pieces, sight, stretches, floor):
 
 
 def _sample_crossings(pieces, sight, stretches):
-    """Highest tangent on the lines of cell centres that each interval crosses, where every cell is known.
+    """Find the highest tangent on the lines of cell centres that each interval crosses, if every cell is known.
 
     Between two crossings the interpolated surface has no kink, so the highest tangent seldom lies elsewhere.
 
     Returns
     -------
     tangent, share : (J,) arrays
-        -inf and NaN where no line is crossed.
+        -inf and NaN if no line is crossed.
     void : (J,) bool array
-        False.
+        Always False.
     """
     col0, row0, col1, row1 = stretches.ends
     start = stretches.start_m
@@ -108,7 +108,7 @@ def _sample_crossings(pieces, sight, stretches):
             continue
         with np.errstate(divide="ignore"):
             per_line = np.where(none | (first == last), 0.0, 1 / (last - first))
-        highest = np.where(none, np.rint(first), highest)  # some cell of the piece; it is struck out below
+        highest = np.where(none, np.rint(first), highest)  # some cell of the piece; it is removed below
         line = np.minimum(lowest[:, None] + np.arange(count), highest[:, None])
         share = (line - first[:, None]) * per_line[:, None]
         distance = length * share
@@ -125,7 +125,7 @@ def _sample_crossings(pieces, sight, stretches):
 
 
 def _sample_all(pieces, sight, stretches):
-    """The same on any number of lines per cell, at the intervals' ends too, and with cells that are unknown."""
+    """Find the same with any number of lines per cell, at the intervals' ends too, and with cells that are unknown."""
     ends, start, end = stretches.ends, stretches.start_m, stretches.end_m
     share = _shares(sight, *ends)
     col0, row0, col1, row1 = (place[:, None] for place in ends)
@@ -151,14 +151,14 @@ def _shares(sight, col0, row0, col1, row1):
 
 
 HAIR = 1e-9
-"""A sample this near to a grid line lies on it [cells]."""
+"""A sample this close to a grid line counts as lying on it [cells]."""
 
 
 def crest(pieces, sight, stretches, top, where):
     """Find the highest tangent between the two grid lines around each interval's best sample.
 
-    Along a ray the bilinear surface of one cell is a parabola. Three samples give it, and the point at which a line
-    from the eye touches it follows in closed form.
+    Along a ray the bilinear surface of one cell is a parabola. Three samples determine it, and the point at which a
+    line from the eye touches it follows in closed form.
 
     Parameters
     ----------
@@ -166,8 +166,7 @@ def crest(pieces, sight, stretches, top, where):
     sight : EyeRays
     stretches : Stretches
     top, where : (J,) arrays
-        Highest tangent so far, and at which share of the interval; NaN where there is none: the interval crosses no
-        line.
+        Highest tangent so far, and the share of the interval at which it lies; NaN if the interval crosses no line.
 
     Returns
     -------
@@ -212,7 +211,7 @@ def _lines_around(ends, where):
 
 
 def _touch(heights_m, distances_m, drop_per_m2):
-    """Where the line of sight over a parabola touches it.
+    """Find the point at which the line of sight over a parabola touches it.
 
     Parameters
     ----------
@@ -222,18 +221,18 @@ def _touch(heights_m, distances_m, drop_per_m2):
 
     Returns
     -------
-    along, tangent : array
-        Share of the stretch, and tangent of the elevation angle there; NaN where no line touches it from above.
+    along, tangent : arrays
+        Share of the stretch, and tangent of the elevation angle there; NaN if no line touches it from above.
     """
     (first, middle, last), (near, _, far) = heights_m, distances_m
     reach = far - near
     slope, bend = 4 * middle - 3 * first - last, 2 * (first + last - 2 * middle)
-    # (first + slope u + bend u^2) / d - drop d with d = near + reach u has its extremes where, written in d, the same
-    # fraction's numerator of the derivative is zero: (bend - drop reach^2) (reach u^2 + 2 near u) + rest = 0.
+    # (first + slope u + bend u^2) / d - drop d with d = near + reach u has its extremes where the numerator of its
+    # derivative, written in d, is zero: (bend - drop reach^2) (reach u^2 + 2 near u) + rest = 0.
     bent = bend - drop_per_m2 * reach**2
     rest = slope * near - reach * first - drop_per_m2 * reach * near**2
     with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = -rest / np.where(bent < 0, bent, np.nan)  # bent upwards, the highest point is one of the ends
+        ratio = -rest / np.where(bent < 0, bent, np.nan)  # if it bends upwards, the highest point is one of the ends
         along = ratio / (np.sqrt(near**2 + reach * ratio) + near)
         along = np.where((along > 0) & (along < 1), along, np.nan)
         at = near + reach * along

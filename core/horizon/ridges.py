@@ -1,14 +1,14 @@
-r"""Inner ridges: where the terrain in view hides farther terrain, around one observer.
+r"""Inner ridges: lines along which the visible terrain hides terrain farther away, around one observer.
 
-Along each ray the surface is visible where its tangent exceeds all nearer ones. It stops being visible behind a
-crest and comes back farther away::
+Along each ray the surface is visible where its tangent exceeds all nearer ones. It disappears behind a crest and
+reappears farther away::
 
       eye *            crest
            `-..      _/\  hidden   _ - - seen again: the distance jumps
                `--../    \_______/
 
-Crests are what a photograph shows as lines inside the terrain, the sharper the larger the jump in distance, since
-haze, light and texture change with it.
+A photograph shows crests as lines inside the terrain. The larger the jump in distance, the sharper the line, since
+haze, light and texture change with the distance.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ class RidgeOptions:
     Attributes
     ----------
     least_jump : float
-        Crests are kept where the terrain seen next is this many times farther.
+        A crest is kept if the terrain seen next is at least this many times farther away,
     least_depth_deg : float
-        And where what is hidden lies this far below the line of sight [degrees].
+        and if the hidden ground lies at least this far below the line of sight [degrees].
     """
 
     least_jump: float = 1.1
@@ -45,8 +45,8 @@ class RidgeEdges:
     Attributes
     ----------
     azimuth_deg, elevation_deg : clockwise from true north, and above the horizontal [degrees].
-    distance_m : of the crest [m].
-    jump : distance of what is seen above it over its own.
+    distance_m : distance of the crest [m].
+    jump : distance of the terrain seen above the crest, divided by the distance of the crest.
     """
 
     azimuth_deg: np.ndarray
@@ -56,11 +56,11 @@ class RidgeEdges:
 
 
 def occlusion_edges(rays, options=RidgeOptions()):  # noqa: B008 - frozen
-    """Find the crests in view of an observer, the horizon itself excepted.
+    """Find the crests in view of an observer, except the horizon itself.
 
     Parameters
     ----------
-    rays : ground_rays.GroundRays
+    rays : GroundRays
         Voids end a ray.
     options : RidgeOptions
 
@@ -94,7 +94,7 @@ def occlusion_edges(rays, options=RidgeOptions()):  # noqa: B008 - frozen
 
 
 def _lowest_between(tangent, ray, near, far):
-    """Lowest tangent strictly between two samples of a ray; the hidden ground's deepest point."""
+    """Lowest tangent strictly between two samples of a ray: the deepest point of the hidden ground."""
     if len(ray) == 0:
         return np.zeros(0)
     bounds = np.stack([ray * tangent.shape[1] + near + 1, ray * tangent.shape[1] + far], axis=1).ravel()

@@ -1,4 +1,4 @@
-"""Branch and bound over the intervals of all rays: sample only where the horizon can be."""
+"""Branch and bound over the intervals of all rays: only intervals that can hold the horizon are sampled."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ CHUNK_PAIRS = 30_000
 """(Ray, interval) pairs whose bounds are computed at once."""
 
 NEAR_CELLS = 39
-"""Ground this near is sampled twice as closely. Its bounds are too loose to tell where the horizon is likely."""
+"""Ground within this distance is sampled twice as closely. Its bounds are too loose to predict the horizon."""
 
 QUARTERS = 4
 
 LEAST_GAIN = 1e-7
-"""A bound that is no higher above what is found [tangent] is not looked into."""
+"""An interval is not examined if its bound exceeds the horizon found by no more than this [tangent]."""
 
 
 @dataclass(frozen=True, eq=False)
 class FoundHorizon:
-    """What a search has found.
+    """The result of a search.
 
     Attributes
     ----------
     tangent, distance_m : (A,) arrays
         -inf and NaN where nothing is known.
     void : (A,) bool array
-        A void might hide a higher horizon.
+        True if a void might hide a higher horizon.
     known_m : (A,) array
-        Where the data end [m].
+        Distance at which the data end [m].
     """
 
     tangent: np.ndarray
@@ -45,7 +45,7 @@ class FoundHorizon:
 
 
 def nothing_found(rays):
-    """Give the `FoundHorizon` of rays along which there is no terrain."""
+    """Return the `FoundHorizon` of rays along which there is no terrain."""
     count = len(rays.azimuth_deg)
     return FoundHorizon(np.full(count, -np.inf), np.full(count, np.nan), np.zeros(count, bool), rays.reach_m)
 
@@ -59,14 +59,15 @@ class Search:
         self.tangent, self.distance = nothing.tangent, nothing.distance_m
 
     def run(self, cell_m, progress):
-        """Search all rays; gives a `FoundHorizon`."""
+        """Search all rays and return a `FoundHorizon`."""
         near = max(1, round(NEAR_CELLS * cell_m / (self.sight.edge_m[1] - self.sight.edge_m[0])))
         near = min(near, len(self.sight.edge_m) - 1)
         bound, likely = self._bounds(near, progress)
-        # The most promising interval of the distance first: it raises the bar for all others.
+        # Take the most promising distant interval first: it raises the bar for all others.
         ray = np.flatnonzero(likely >= 0)
         self._refine(ray, likely[ray], bound, subtask(progress, 0.3, 0.5))
-        # Close by, a cell's curved surface can stand well above all its crossings: look there twice as closely.
+        # Near the eye, a cell's curved surface can stand well above all its crossings, so sample twice as closely
+        # there.
         close = replace(self.sight, lines_per_cell=2 * self.sight.lines_per_cell)
         ray, interval = self._alive(bound[:, :near])
         self._refine(ray, interval, bound, subtask(progress, 0.5, 0.6), close, self._close_by(near))
@@ -75,23 +76,23 @@ class Search:
 
     def _alive(self, bound):
         """(ray, interval) pairs that may still hold a horizon, ray by ray."""
-        least = np.maximum(self.tangent + LEAST_GAIN, -1e30)  # what is known to be empty has a bound of -inf
+        least = np.maximum(self.tangent + LEAST_GAIN, -1e30)  # known empty intervals have a bound of -inf
         alive = bound > np.nextafter(least.astype(np.float32), np.float32(-np.inf))[:, None]
         return np.divmod(np.flatnonzero(alive), bound.shape[1])  # faster than np.nonzero in two dimensions
 
     def _bounds(self, near, progress):
-        """Upper bounds of all tangents, and where the horizon is likely.
+        """Compute upper bounds of all tangents, and where the horizon is likely.
 
         Returns
         -------
         bound : (A, N) float32 array
-            -inf where there is nothing to see.
+            -inf if there is nothing to see.
         likely : (A,) int array
-            Of each ray the interval, not before the `near`th, whose middle's block looks highest; -1 for none.
+            For each ray, the interval, not before the `near`th, whose midpoint's block looks highest; -1 for none.
         """
         edge, drop = self.sight.edge_m, self.sight.drop_per_m2
         middle, count = (edge[:-1] + edge[1:]) / 2, len(self.sight.rays.azimuth_deg)
-        # In single precision, of which a centimetre more than makes good.
+        # In single precision; a margin of one centimetre more than makes up for it.
         eye_m = np.float32(self.sight.eye_m - 0.01)
         inverse, drop_per_m = (1 / edge).astype(np.float32), (drop * edge[:-1]).astype(np.float32)
         inverse_middle, drop_middle = (1 / middle).astype(np.float32), (drop * middle).astype(np.float32)
@@ -102,7 +103,7 @@ class Search:
             height = highest.take(block)
             height -= eye_m
             part = np.multiply(height, inverse[1:], out=bound[rays])
-            height *= inverse[:-1]  # the higher of the two where the terrain stands above the eye
+            height *= inverse[:-1]  # the higher of the two if the terrain stands above the eye
             np.maximum(part, height, out=part)
             part -= drop_per_m
             part[beyond] = -np.inf
@@ -117,7 +118,7 @@ class Search:
         return bound, likely
 
     def _blocks_on_rays(self, progress=SILENT):
-        """Yield (slice of rays, place in the blocks' flattened tables of the middle of each interval)."""
+        """Yield (slice of rays, positions of the intervals' midpoints in the blocks' flattened tables)."""
         rays, middle = self.sight.rays, (self.sight.edge_m[:-1] + self.sight.edge_m[1:]) / 2
         weights = rays.weights(middle).astype(np.float32)
         row, col = (
@@ -131,7 +132,7 @@ class Search:
             yield some, self.blocks.flat_index_in_place(row[some] @ weights, col[some] @ weights)
 
     def _refine(self, ray, interval, bound, progress, sight=None, highest_around=None):
-        """Sample pairs in the order of their rays, raise the running maxima, and strike the pairs off the bounds."""
+        """Sample pairs in the order of their rays, raise the running maxima, and remove the pairs from the bounds."""
         bound[ray, interval] = -np.inf
         closer = self._closer_bound(ray, interval, highest_around or self._highest_around)
         alive = closer > self.tangent[ray] + LEAST_GAIN
@@ -148,14 +149,14 @@ class Search:
         self.tangent[ray[best]], self.distance[ray[best]] = tangent[best], distance[best]
 
     def _doubtful(self, ray, interval):
-        """Around which intervals there may be cells without data."""
+        """Return which intervals may have cells without data around them."""
         if not self.blocks.has_void.any():
             return np.zeros(len(ray), bool)
         middle = (self.sight.edge_m[interval] + self.sight.edge_m[interval + 1]) / 2
         return self.blocks.has_void[self.blocks.index(*self.sight.rays.at_pairs(ray, middle))]
 
     def _closer_bound(self, ray, interval, highest_around):
-        """Upper bounds again, of the intervals' quarters and from no more blocks than lie around these: (J,)."""
+        """Recompute the upper bounds from the intervals' quarters, with no more blocks than lie around these: (J,)."""
         sight = self.sight
         start = sight.edge_m[interval]
         stop = np.minimum(sight.edge_m[interval + 1], sight.rays.reach_m[ray])
@@ -169,11 +170,11 @@ class Search:
 
     @property
     def _quarter_px(self):
-        """How far a quarter of an interval reaches from its middle, with the interpolation's stencil [cells]."""
+        """Distance that a quarter of an interval reaches from its middle, with the interpolation's stencil [cells]."""
         return (self.blocks.block - 1.5) / QUARTERS + 1.01
 
     def _close_by(self, near):
-        """`BlockMaxima.highest_around` of the first intervals, to a cell."""
+        """`BlockMaxima.highest_around` of the first intervals, to the nearest cell."""
         rays, end_m = self.sight.rays, self.sight.edge_m[near]
         reach = int(end_m * rays.pixels_per_metre + 2 * self._quarter_px) + 2
         middle = (int(round(float(place[0, 0]))) for place in (rays.row_px, rays.col_px))
@@ -182,7 +183,7 @@ class Search:
         return highest_close_by(self.terrain, window, self._quarter_px)
 
     def _voids(self, progress):
-        """Per azimuth: a void might hide a higher horizon; and where the data end [m]."""
+        """Determine for each azimuth whether a void might hide a higher horizon, and where the data end [m]."""
         reach = self.sight.rays.reach_m
         void, known_m = np.zeros(len(reach), bool), reach.copy()
         if not self.blocks.has_void.any():
@@ -210,7 +211,7 @@ class Search:
 
 def _tangent_bound(height_m, start_m, stop_m, drop_per_m2):
     """Highest tangent that terrain `height_m` above the eye can have between two distances."""
-    bound = height_m * (1.0 / start_m)  # the higher of the two where the terrain stands above the eye
+    bound = height_m * (1.0 / start_m)  # the higher of the two if the terrain stands above the eye
     np.maximum(bound, height_m * (1.0 / stop_m), out=bound)
     bound -= drop_per_m2 * start_m
     return bound

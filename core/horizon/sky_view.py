@@ -1,7 +1,7 @@
-r"""How much of the sky a place sees: the sky view factor of a point's horizon, and of every cell of an area.
+r"""Sky view factor of a point's horizon, and of every cell of an area.
 
-The share of the light of an evenly bright sky that reaches a facet past the terrain, weighted by the cosine of
-incidence::
+The factor is the share of the light of an evenly bright sky that reaches a facet past the terrain, weighted by the
+cosine of incidence::
 
         1   /                                                        H  zenith angle of the horizon
     V = --- | cos S sin^2 H + sin S cos(phi - A) (H - sin H cos H) dphi    S, A  slope and aspect of the facet
@@ -47,7 +47,7 @@ def sky_view_of_horizon(azimuth_deg, horizon_deg, slope_deg=0.0, aspect_deg=0.0)
     horizon = np.nan_to_num(np.asarray(horizon_deg, float), nan=0.0)
     azimuth = np.asarray(azimuth_deg, float).reshape((-1,) + (1,) * (horizon.ndim - 1))
     slope, turn = np.radians(slope_deg), np.radians(difference(azimuth, aspect_deg))
-    # Uphill the facet's own plane stands before the sky. Below the horizontal there is haze and ground, but no sky.
+    # Uphill, the facet's own plane blocks the sky. Below the horizontal there is haze and ground, but no sky.
     plane = np.arctan(-np.tan(slope) * np.cos(turn))
     zenith = np.pi / 2 - np.maximum(np.maximum(np.radians(horizon), 0.0), plane)
     part = np.cos(slope) * np.sin(zenith) ** 2
@@ -69,12 +69,12 @@ def sky_view_factor(profile, slope_deg=0.0, aspect_deg=0.0):
 
 @dataclass(frozen=True)
 class SkyViewOptions:
-    """How to compute sky view factors of an area.
+    """How to compute the sky view factors of an area.
 
     Attributes
     ----------
     azimuths : int
-        Directions searched.
+        Number of directions searched.
     max_distance_m : float
         Search range [m].
     step_growth : float
@@ -84,7 +84,7 @@ class SkyViewOptions:
     refraction_coefficient : float
         k of `apparent_drop_m`.
     tile : int
-        Cells per side worked on at once.
+        Cells per side that are processed at once.
     """
 
     azimuths: int = 32
@@ -105,7 +105,7 @@ def sky_view_raster(terrain, window, options=SkyViewOptions(), progress=SILENT):
     Parameters
     ----------
     terrain : Terrain
-        With `position_of`.
+        Terrain that offers `position_of`.
     window : Window
     options : SkyViewOptions
     progress : Progress
@@ -119,7 +119,7 @@ def sky_view_raster(terrain, window, options=SkyViewOptions(), progress=SILENT):
 
     Notes
     -----
-    The result does not depend on the tiling but for the drift of the grid's scale and north within a tile.
+    The tiling affects the result only through the drift of the grid's scale and north within a tile.
     """
     rows = range(window.row, window.row + window.rows, options.tile)
     cols = range(window.col, window.col + window.cols, options.tile)
@@ -148,7 +148,7 @@ def _tile(terrain, tile, options):
 
 
 def _with_margin(terrain, tile, margin):
-    """Cells of a tile and of so many around it, NaN beyond the raster."""
+    """Cells of a tile and of a margin around it, NaN beyond the raster."""
     wanted = Window(tile.row - margin, tile.col - margin, tile.rows + 2 * margin, tile.cols + 2 * margin)
     inside = wanted.clipped(terrain.shape)
     cells = np.full((wanted.rows, wanted.cols), np.nan, np.float32)
@@ -158,12 +158,12 @@ def _with_margin(terrain, tile, margin):
 
 
 def _horizon(cells, ground, margin, azimuth, frame, options):
-    """Horizon of all cells of a tile in one direction [degrees]: the tile is shifted along the ray."""
+    """Horizon of all cells of a tile in one direction [degrees], found by shifting the tile along the ray."""
     highest = np.full(ground.shape, -np.inf, np.float32)
     along = frame.jacobian_px_per_m @ [np.sin(azimuth), np.cos(azimuth)]
     distance = frame.cell_m
     while distance <= options.max_distance_m:
-        # Rounded, so that noise in the twelfth digit gives no weight to a void beside an exactly met cell.
+        # Rounded, so that noise in the twelfth digit gives no weight to a void beside a cell that is hit exactly.
         rise = _shifted(
             cells, ground.shape, margin + round(along[1] * distance, 6), margin + round(along[0] * distance, 6)
         )
@@ -176,8 +176,9 @@ def _horizon(cells, ground, margin, azimuth, frame, options):
 
 
 def _shifted(cells, shape, row_px, col_px):
-    """Bilinear elevations of a grid of `shape` whose first place is (row, column): all have the same weights,
-    so that whole slices are added, where `bilinear` would look up each place.
+    """Bilinear elevations of a grid of `shape` whose first place is (row, column).
+
+    All places have the same weights, so whole slices are added; `bilinear` would look up each place.
     """
     total = None
     for row, row_weight in _weights(row_px):
@@ -207,6 +208,6 @@ def _facets(cells, margin, jacobian):
 
 
 def _difference(before, here, after):
-    """Rise per cell, from the two neighbours or the one that is known; 0 where neither is."""
+    """Rise per cell, from both neighbours or from the one that is known; 0 if neither is."""
     return np.nan_to_num(np.where(np.isnan(before), after - here, np.where(np.isnan(after), here - before,
                                                                            (after - before) / 2)))  # fmt: skip

@@ -134,7 +134,7 @@ def to_wgs84(crs, x, y):
 
 
 def x_period(crs):
-    """Distance along x after which the CRS repeats the world, in its own units; None where it does not.
+    """Distance along x after which the CRS repeats the world, in its own units; None if it does not.
 
     360 degrees for longitudes; the equator's image for Mercator and the like. Used to follow a frame across the
     antimeridian.

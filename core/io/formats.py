@@ -100,7 +100,7 @@ def _is_heif(head):
 
 
 def is_photo_name(name):
-    """Tell whether a file name looks like a photograph; macOS's `._` companions and hidden files do not."""
+    """Return whether a file name looks like a photograph; macOS's `._` companions and hidden files do not."""
     return not name.startswith(".") and os.path.splitext(name)[1].lower() in PHOTO_SUFFIXES
 
 
@@ -111,7 +111,7 @@ MAX_DIRECTORY_BYTES = 64 * 2**20
 
 
 def is_whole(path, empty_allowed=True):
-    """Tell whether the boxes of directory and pixels, and all extents of the items, end within the file.
+    """Return whether the boxes of directory and pixels, and all extents of the items, end within the file.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ UNREADABLE = OSError, ValueError, KeyError, TypeError, AttributeError, EOFError,
 
 
 def orientation_mark(request, dem, options):
-    """Digest of all that an orientation depends on: photo and DEM as files, request, options, the program itself.
+    """Digest of everything that an orientation depends on: photo and DEM as files, request, options, the program.
 
     Changed files are noticed by their size and time of change, as by `make`; a changed program by its source, since
     every version judges a little differently.
@@ -90,7 +90,7 @@ def packed(oriented, mark):
 
 
 def unpacked(path, mark):
-    """Give the `OrientedPhoto` if the file is there, whole and of this fingerprint; else None."""
+    """Return the `OrientedPhoto` if the file is there, whole and of this fingerprint; else None."""
     try:
         # Opened here, because np.load leaves a damaged file open.
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:

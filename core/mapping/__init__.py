@@ -1,1 +1,1 @@
-"""From a picture to the map and back, for a photograph of known pose."""
+"""From image positions to map positions and back, for a photograph with a known pose."""

@@ -1,7 +1,8 @@
-"""What a collection of photographs shows together: how often, how well, what it never shows, and who is needed.
+"""The joint coverage of a collection of photographs: how often and how well ground is seen, and by which photos.
 
-The fewest photographs that cover an area are a set cover. Cells seen by the same photographs are one question, and
-few such questions remain; greedy choice gives a good answer, and a bounded search proves or betters it.
+Finding the fewest photographs that cover an area is a set cover problem. Cells seen by the same photographs form one
+question, and few such questions remain. A greedy choice gives a good answer, and a bounded search proves or improves
+it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from ..base.viewed import VISIBLE
 
 BLOCK_ROWS = 256
 SEARCH_NODES = 20_000
-"""Steps after which the search for a smaller cover gives up and the greedy answer stands."""
+"""Number of steps after which the search for a smaller cover stops and the greedy answer stands."""
 
 
 @dataclass(eq=False)
@@ -31,7 +32,7 @@ class Coverage:
     best_gsd_m : float32 (R, C) array
         Smallest ground sampling distance across the line of sight [m]; NaN where unseen.
     names : list
-        Of the photographs, in the order they were added.
+        Names of the photographs, in the order in which they were added.
     area : (R, C) bool array or None
         Cells that matter; None means all.
     """
@@ -58,12 +59,12 @@ class Coverage:
         terrain : Terrain
         view : View
         seen : Viewshed
-            Of the photograph.
+            Viewshed of the photograph.
 
         Returns
         -------
         int
-            Cells of the area that it sees.
+            Number of cells of the area that the photograph sees.
         """
         here, there = _overlap(self.window, seen.window)
         part = np.zeros(self.count.shape, bool)
@@ -81,20 +82,20 @@ class Coverage:
 
     @property
     def blind(self):
-        """(R, C) bool: cells of the area that no photograph sees."""
+        """(R, C) bool array: cells of the area that no photograph sees."""
         return self.area & (self.count == 0)
 
     def fewest_photos(self):
-        """Choose as few photographs as possible that together see all that any of them sees.
+        """Choose as few photographs as possible that together see every cell that any of them sees.
 
         Returns
         -------
         chosen : list of int
-            Indices into `names`, in greedy order: each adds the most that is still missing.
+            Indices into `names`, in greedy order: each adds the most cells that are still missing.
         proven : bool
-            No smaller choice exists; else the search was cut short.
+            No smaller choice exists; False if the search was cut short.
         gains : list of int
-            Cells that each adds.
+            Number of cells that each adds.
         """
         sets, cells = self._questions()
         chosen = _prune(_greedy(sets, cells, len(self.names)), sets)
@@ -103,7 +104,7 @@ class Coverage:
         return chosen, proven, _gains(chosen, sets, cells)
 
     def _questions(self):
-        """Distinct sets of photographs that see a cell, as bit masks, and how many cells each stands for."""
+        """Distinct sets of photographs that see a cell, as bit masks, and the number of cells of each set."""
         if not self._seen:
             return [], []
         columns = np.unpackbits(np.array(self._seen), axis=1, count=self.count.size)
@@ -135,7 +136,7 @@ def _gsd_across(terrain, view, row, col):
 
 
 def _greedy(sets, cells, photos, only=None):
-    """Photographs by what each adds to those before, until nothing is missing."""
+    """Choose photographs by the cells that each adds to those before, until none is missing."""
     left = list(zip(sets, cells))
     allowed = list(range(photos)) if only is None else list(only)
     chosen = []
@@ -148,7 +149,7 @@ def _greedy(sets, cells, photos, only=None):
 
 
 def _prune(chosen, sets):
-    """Drop what later choices have made needless, the smallest gain first."""
+    """Drop choices that later ones have made redundant, the smallest gain first."""
     for k in list(reversed(chosen)):
         rest = sum(1 << j for j in chosen if j != k)
         if all(mask & rest for mask in sets):
@@ -165,7 +166,7 @@ def _gains(chosen, sets, cells):
 
 
 def _search(sets, size):
-    """Look for a cover smaller than `size`: (cover or None, whether the question is settled)."""
+    """Look for a cover smaller than `size`: (cover or None, whether the search was completed)."""
     minimal = [mask for mask in set(sets) if not any(other != mask and other & mask == other for other in set(sets))]
     budget = [SEARCH_NODES]
     best = [None, size]
@@ -190,7 +191,7 @@ def _search(sets, size):
 
 
 def _apart(left):
-    """Questions that share no photograph: each needs its own, a lower bound."""
+    """Questions that share no photograph: each needs its own, which gives a lower bound."""
     used = count = 0
     for mask in sorted(left, key=lambda m: bin(m).count("1")):
         if not mask & used:

@@ -1,7 +1,7 @@
-"""The photograph on the terrain: every seen cell takes the colour of the pixel that sees it.
+"""Draping a photograph over the terrain: every visible cell takes the colour of the pixel that shows it.
 
-Which cells are seen is the viewshed's answer and is not asked again. A cell's colour is the mean over the patch of
-the picture that it covers; photographs are blended by nearness, fading out towards their own edges.
+The viewshed decides which cells are visible; it is not computed again here. A cell's colour is the mean over the patch
+of the picture that it covers. Photographs are blended by nearness and fade out towards their edges.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from ..base.terrain import Window, bilinear
 
 TILE_CELLS = 512
 NEARNESS_POWER = 4
-"""Weight of a photo falls with this power of its ground sampling distance: the nearer one wins, without a seam."""
+"""A photo's weight falls with this power of its ground sampling distance: the nearer one dominates, without a seam."""
 
 FADE_SHARE = 0.04
-"""Share of the picture's width over which its weight fades to its edge, where it overlaps another."""
+"""Share of the picture's width over which its weight fades towards the edge, if it overlaps another photo."""
 
 
 @dataclass(eq=False)
@@ -42,12 +42,12 @@ class Tile:
 
 @dataclass(eq=False)
 class Mosaic:
-    """A draped raster in the making: only tiles that something is seen in take memory.
+    """A draped raster under construction: only tiles with visible cells take memory.
 
     Attributes
     ----------
     window : Window
-        Cells of the DEM that it covers.
+        Cells of the DEM that the mosaic covers.
     refine : int
         Cells of the mosaic per side of a DEM cell.
     tiles : dict
@@ -64,7 +64,7 @@ class Mosaic:
         return self.window.rows * self.refine, self.window.cols * self.refine
 
     def tile(self, key):
-        """Tile of a key, made when first asked for."""
+        """Tile of a key, created on first use."""
         if key not in self.tiles:
             side = (TILE_CELLS, TILE_CELLS)
             self.tiles[key] = Tile(
@@ -98,13 +98,13 @@ def drape_photo(mosaic, terrain, view, picture, seen, progress=SILENT):
         Its camera is that of the full picture; `picture` may be a reduced copy.
     picture : PicturePyramid
     seen : Viewshed
-        Of the photograph.
+        Viewshed of the photograph.
     progress : Progress
 
     Returns
     -------
     int
-        Cells of the mosaic that got colour from this photograph.
+        Number of cells of the mosaic that this photograph coloured.
     """
     visible = seen.visible
     keys = _tiles_touched(mosaic, visible, seen.window)
@@ -118,7 +118,7 @@ def drape_photo(mosaic, terrain, view, picture, seen, progress=SILENT):
 
 
 def _tiles_touched(mosaic, seen, window):
-    """Keys of the mosaic's tiles over the box of the seen cells."""
+    """Keys of the mosaic's tiles over the bounding box of the visible cells."""
     rows, cols = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
     if not rows.size:
         return []
@@ -131,7 +131,7 @@ def _tiles_touched(mosaic, seen, window):
 
 
 def _seen_cells(mosaic, key, seen, window):
-    """Rows and columns of the mosaic in a tile whose DEM cell is seen."""
+    """Rows and columns, in the mosaic, of a tile's cells whose DEM cell is visible."""
     refine = mosaic.refine
     top, left = key[0] * TILE_CELLS, key[1] * TILE_CELLS
     bottom, right = (min(edge + TILE_CELLS, size) for edge, size in zip((top, left), mosaic.shape))
@@ -178,13 +178,13 @@ def _drape_tile(mosaic, key, terrain, view, picture, cells):
 
 
 def _fade(camera, x_px, y_px):
-    """Weight towards the picture's edge, 1 inside."""
+    """Weight that falls towards the picture's edge, 1 inside."""
     edge = np.minimum(np.minimum(x_px, camera.width_px - 1 - x_px), np.minimum(y_px, camera.height_px - 1 - y_px))
     return np.clip((edge + 1) / (FADE_SHARE * camera.width_px), 0.01, 1.0)
 
 
 def _blend(tile, at, colour, gsd_m, fade):
-    """Lay colours over cells of a tile, given by their places in the flattened tile."""
+    """Blend colours into cells of a tile, given by their positions in the flattened tile."""
     across, along = gsd_m
     rgba, gsd, weights = tile.rgba.reshape(-1, 4), tile.gsd_m.reshape(2, -1), tile.weight.reshape(-1)
     weight = (fade / across**NEARNESS_POWER).astype(np.float32)
@@ -204,7 +204,7 @@ def _blend(tile, at, colour, gsd_m, fade):
 
 @dataclass(frozen=True, eq=False)
 class PicturePyramid:
-    """Levels of a picture; level k has pixels 2^k times as large.
+    """Levels of a picture; the pixels of level k are 2^k times as large.
 
     Attributes
     ----------
@@ -220,19 +220,19 @@ class PicturePyramid:
         return width, height
 
     def sample(self, x_px, y_px, footprint_px):
-        """Colours at places of the full picture.
+        """Sample colours at positions of the full picture.
 
         Parameters
         ----------
         x_px, y_px : (N,) arrays
-            The centre of the first pixel at 0.
+            Pixels, with the centre of the first pixel at 0.
         footprint_px : (N,) array
-            Side of the patch of the picture to be averaged [pixels]; 1 or less interpolates between pixels.
+            Side of the patch of the picture to average over [pixels]; 1 or less interpolates between pixels.
 
         Returns
         -------
         (N, 3) float32 array
-            0 to 255.
+            Colours, 0 to 255.
         """
         with np.errstate(divide="ignore"):
             level = np.rint(np.log2(np.maximum(footprint_px, 1e-6)))
@@ -260,7 +260,10 @@ def build_picture_pyramid(pixels, smallest_px=16):
 
 
 def _bilinear_colour(picture, x, y):
-    """Interpolate colours in single precision, three at a time: several times faster than `bilinear`, and no voids."""
+    """Interpolate three colours at once in single precision.
+
+    This is several times faster than `bilinear`, but cannot handle voids.
+    """
     height, width = picture.shape[:2]
     x, y = np.clip(x, 0, width - 1), np.clip(y, 0, height - 1)
     left, top = np.minimum(x.astype(np.intp), width - 2), np.minimum(y.astype(np.intp), height - 2)

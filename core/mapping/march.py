@@ -1,4 +1,4 @@
-"""Rays marching over one window of the DEM: through the air in leaps, across patches near the ground one by one."""
+"""Marching of rays over one window of the DEM: in long steps through the air, patch by patch near the ground."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ import numpy as np
 from scipy import ndimage
 
 GROUND, SKY, VOID, BEYOND = 1, 0, 2, 3
-"""What a ray meets: terrain; sky as far as the DEM reaches; a hole in the DEM; ground that must lie outside it."""
+"""What a ray reaches: terrain; sky as far as the DEM extends; a hole in the DEM; ground that must lie outside it."""
 
 
 @dataclass(eq=False)
 class MarchingRays:
-    """Parabolas over the map, and how far each has come; one row per ray.
+    """Parabolas over the map, and how far each ray has advanced; one row per ray.
 
     Attributes
     ----------
     east_m, north_m : (N,) arrays
-        Origins, local metres [m].
+        Origins in local metres [m].
     sin_azimuth, cos_azimuth : (N,) arrays
     slope : (N,) array
         Tangent of the elevation angle.
     eye_m, end_m : (N,) arrays
-        Elevation of the origin, and the distance at which a ray ends [m].
+        Elevation of the origin, and the distance at which the ray ends [m].
     bend_per_m : float
-        Height gained over a straight line per squared metre: the earth falls away below.
+        Height gained over a straight line per squared metre, as the earth curves away below.
     distance_m : (N,) array
-        How far each ray has come [m].
+        How far each ray has advanced [m].
     """
 
     east_m: np.ndarray
@@ -41,7 +41,7 @@ class MarchingRays:
     distance_m: np.ndarray
 
     def take(self, index):
-        """Give some of the rays, as copies."""
+        """Return some of the rays, as copies."""
         values = {name: getattr(self, name)[index] for name in self._arrays()}
         return MarchingRays(bend_per_m=self.bend_per_m, **values)
 
@@ -54,7 +54,7 @@ class MarchingRays:
         return self.eye_m + distance_m * (self.slope + self.bend_per_m * distance_m)
 
     def lowest(self, start_m, stop_m):
-        """Its lowest elevation between two distances [m]."""
+        """Lowest elevation of the parabola between two distances [m]."""
         return self.height(np.clip(-self.slope / (2 * self.bend_per_m + 1e-300), start_m, stop_m))
 
     def place(self, distance_m):
@@ -64,7 +64,7 @@ class MarchingRays:
 
 @dataclass(frozen=True, eq=False)
 class _Track:
-    """Where rays are in a window [pixels], and how that changes along them [pixels per metre]: (N,) arrays."""
+    """Positions of rays in a window [pixels], and their change along the rays [pixels per metre]: (N,) arrays."""
 
     row: np.ndarray
     col: np.ndarray
@@ -76,23 +76,24 @@ class _Track:
 
 
 def march(pyramid, window, frame, rays, above, stop_m):
-    """Move rays (in place) until they meet ground or a void, leave the window, or reach `stop_m`.
+    """Move rays (in place) until they reach ground or a void, leave the window, or reach `stop_m`.
 
     Parameters
     ----------
     pyramid : SurfacePyramid
     window : Window
-        Of the raster, where the pyramid lies.
+        Part of the raster that the pyramid covers.
     frame : LocalFrame
     rays : MarchingRays
     above : (N,) bool array
         Rays known to have been above the surface; changed in place.
     stop_m : (N,) array
-        [m].
+        Distance at which each ray stops [m].
 
     Returns
     -------
     state : (N,) uint8
+        `GROUND`, `SKY` or `VOID`.
     left : (N,) bool
         Rays that left the window before `stop_m`.
     """
@@ -132,7 +133,7 @@ def march(pyramid, window, frame, rays, above, stop_m):
 
 
 def _track(frame, window, rays):
-    """Give the `_Track` of rays."""
+    """Compute the `_Track` of rays."""
     col, row = frame.to_pixel(*rays.place(rays.distance_m))
     (a, b), (c, d) = frame.jacobian_px_per_m
     if frame.remainder_px is None:
@@ -146,7 +147,7 @@ def _track(frame, window, rays):
 
 
 def _to_edge(position, per_m, level):
-    """Metres until a coordinate leaves its block of 2^level patches."""
+    """Distance until a coordinate leaves its block of 2^level patches [m]."""
     size = np.ldexp(1.0, level)
     low = np.floor(position / size) * size
     gap = np.where(per_m > 0, low + size - position, position - low)
@@ -164,7 +165,7 @@ def _bound_at(pyramid, row, col, level, inside):
 
 
 def _comes_in(track, window):
-    """Rays outside the window that are on their way into it."""
+    """Rays outside the window that are about to enter it."""
     row, col = track.row, track.col
     toward_row = np.where(row < 0, track.per_m_row > 0, (row < window.rows - 1) | (track.per_m_row < 0))
     toward_col = np.where(col < 0, track.per_m_col > 0, (col < window.cols - 1) | (track.per_m_col < 0))
@@ -172,10 +173,10 @@ def _comes_in(track, window):
 
 
 def _touch(pyramid, rays, index, track, exit_m, marks):
-    """Look for the first crossing from above within one patch each, and note in `marks` (above, state) what is found.
+    """Find the first crossing from above within one patch per ray, and record it in `marks` (above, state).
 
-    Along a straight track the bilinear surface is a quadratic in distance, and so is the parabola: three samples
-    give their difference exactly.
+    Along a straight track the bilinear surface is quadratic in distance, and so is the parabola, so three samples give
+    their difference exactly.
     """
     above, state = marks
     row, col, per_m_row, per_m_col = track.row, track.col, track.per_m_row, track.per_m_col
@@ -184,7 +185,7 @@ def _touch(pyramid, rays, index, track, exit_m, marks):
     z00, z01, z10, z11 = pyramid.corners(r, c)
     start, span = now.distance_m, exit_m - now.distance_m
     gap = []
-    for t in (0.0, 0.5, 1.0):  # by hand: the corners serve for all three, and `bilinear` would fetch them anew
+    for t in (0.0, 0.5, 1.0):  # written out: all three share the corners, which `bilinear` would fetch again
         fr, fc = row - r + t * span * per_m_row, col - c + t * span * per_m_col
         surface = z00 * (1 - fr) * (1 - fc) + z01 * (1 - fr) * fc + z10 * fr * (1 - fc) + z11 * fr * fc
         gap.append(surface - now.height(start + t * span))
@@ -199,9 +200,9 @@ def _touch(pyramid, rays, index, track, exit_m, marks):
 
 
 def _first_rise(g0, g1, g2, begins_above):
-    """First t in [0, 1] where the quadratic through g(0), g(1/2), g(1) comes up to 0; NaN where it does not.
+    """Find the first t in [0, 1] where the quadratic through g(0), g(1/2), g(1) rises to 0; NaN if it does not.
 
-    A ray known to be above (g0 may exceed 0 by a rounding, after the last patch's edge) hits at once.
+    A ray known to be above (g0 may exceed 0 by rounding after the last patch's edge) hits at once.
     """
     a, b = 2 * (g0 - 2 * g1 + g2), -3 * g0 + 4 * g1 - g2
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -215,7 +216,7 @@ def _first_rise(g0, g1, g2, begins_above):
 
 
 MAX_LEVEL = 10
-"""Blocks of 2^10 patches are the largest worth keeping."""
+"""Blocks of 2^10 patches are the largest level worth keeping."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,12 +226,12 @@ class SurfacePyramid:
     Attributes
     ----------
     elevation_m : (R, C) float32 array
-        [m], NaN in voids.
+        Elevations [m], NaN in voids.
     bound_m : tuple of arrays
-        Level k holds the highest possible elevation of each block of 2^k x 2^k patches [m]; a void counts as
-        `void_bound_m` where it is, so that a ray may pass high above it.
+        Level k holds the highest possible elevation of each block of 2^k x 2^k patches [m]. A void counts as
+        `void_bound_m` at its position, so that a ray may pass high above it.
     void_patch : (R - 1, C - 1) bool array or None
-        Patches with an unknown corner; None where there is none.
+        Patches with an unknown corner; None if there is none.
     """
 
     elevation_m: np.ndarray
@@ -248,7 +249,7 @@ class SurfacePyramid:
 def build_pyramid(elevation_m):
     """Build a `SurfacePyramid` of a window with at least 2 x 2 cells.
 
-    Voids get the height of the highest known cell on their rim: what hides in a void is taken to be no higher.
+    Voids get the elevation of the highest known cell on their rim: ground in a void is assumed to be no higher.
     """
     elevation_m = np.ascontiguousarray(elevation_m, dtype=np.float32)
     unknown = ~np.isfinite(elevation_m)
@@ -278,7 +279,7 @@ def _halve(bound):
 
 
 def _rim_height(elevation_m, unknown):
-    """Highest known elevation beside each void, per void, spread over its cells; -inf where nothing is known."""
+    """Highest known elevation beside each void, spread over the void's cells; -inf if nothing is known."""
     label, count = ndimage.label(unknown, structure=np.ones((3, 3)))
     around = ndimage.maximum_filter(np.where(unknown, -np.inf, elevation_m), size=3, mode="nearest")
     highest = ndimage.maximum(around, label, index=np.arange(count + 1))

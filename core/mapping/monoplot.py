@@ -1,9 +1,9 @@
-"""Monoplotting: from pixels of one oriented photograph to places on the terrain, with an honest error ellipse.
+"""Monoplotting: from pixels of one oriented photograph to places on the terrain, with an error ellipse.
 
-A pixel's ray is cast to the terrain; so are the rays of poses drawn from the pose's uncertainty. Their end points
-scatter as the true place may, whatever the shape of the ground: a long thin ellipse where the ray grazes it, and two
-clouds where it passes an edge, behind which other ground lies. The ellipse describes the cloud on the pixel's own
-surface; `p_other` says how many draws ended elsewhere.
+A pixel's ray is cast to the terrain, and so are the rays of poses drawn from the pose's uncertainty. Their end points
+scatter as the true place may, whatever the shape of the ground: a long thin ellipse if the ray grazes it, and two
+clouds if it passes an edge with other ground behind it. The ellipse describes the cloud on the pixel's own surface;
+`p_other` is the share of the draws that ended elsewhere.
 
 References
 ----------
@@ -25,28 +25,28 @@ from ..base.uncertainty import pose_draws
 from .sightline import GROUND, GroundHits, SightLines, SightOptions, cast_rays
 
 OTHER_SURFACE = 0.1
-"""Neighbouring draws farther apart than this share of their distance may lie on two surfaces."""
+"""Neighbouring draws may lie on two surfaces if they are farther apart than this share of their distance."""
 
 GAP_RATIO = 8.0
-"""...and do, where the gap is also this many times the pixel's usual one."""
+"""They do lie on two surfaces if the gap is also this many times the pixel's usual one."""
 
 PIXELS_AT_ONCE = 4000
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedPixels:
-    """Pixels and where they lie on the ground.
+    """Pixels and their places on the ground.
 
     Attributes
     ----------
     x_px, y_px : (N,) arrays
     hits : GroundHits
     azimuth_deg, elevation_deg : (N,) arrays
-        Of the rays [degrees].
+        Direction of the rays [degrees].
     incidence_deg : (N,) array
-        Between the ray and the surface's normal, 0 head-on, 90 grazing [degrees].
+        Angle between the ray and the surface's normal, 0 head-on, 90 grazing [degrees].
     metres_per_pixel : (N,) array
-        Across the line of sight [m].
+        Size of a pixel across the line of sight [m].
     """
 
     x_px: np.ndarray
@@ -60,19 +60,19 @@ class PlacedPixels:
 
 @dataclass(frozen=True, eq=False)
 class GroundEllipse:
-    """Where the true place of each pixel lies with probability `coverage`.
+    """The ellipse that contains the true place of each pixel with probability `coverage`.
 
     Attributes
     ----------
     coverage : float
     semi_major_m, semi_minor_m : (N,) arrays
-        Half axes around the placed point [m]; NaN where it is not on the ground.
+        Half axes around the placed point [m]; NaN if it is not on the ground.
     azimuth_deg : (N,) array
-        Of the major axis, clockwise from true north, in [0, 180) [degrees].
+        Azimuth of the major axis, clockwise from true north, in [0, 180) [degrees].
     sigma_z_m : (N,) array
         Standard deviation of the elevation [m].
     near_m, far_m : (N,) arrays
-        5 % and 95 % quantile of the distance over all draws that meet the ground [m].
+        5 % and 95 % quantiles of the distance over all draws that reach the ground [m].
     p_other : (N,) array
         Share of the draws that end on another surface, beyond an edge, or in the sky.
     """
@@ -95,7 +95,7 @@ def place_pixels(terrain, view, x_px, y_px, options=None, progress=SILENT):
     terrain : Terrain
     view : View
     x_px, y_px : (N,) arrays
-        Pixels of the full upright picture, the first one's centre at 0. Pixels off the picture are placed too.
+        Pixels of the full upright picture, the first one's centre at 0. Pixels outside the picture are placed too.
     options : SightOptions or None
     progress : Progress
 
@@ -118,7 +118,7 @@ def _with_refraction(options, view):
 
 
 def _radians_per_pixel(view, x_px, y_px):
-    """Smaller than 1 / focal towards the corners: the angle between rays half a pixel to the left and right."""
+    """Angle between rays half a pixel to the left and right; smaller than 1 / focal towards the corners."""
     a1, e1 = np.radians(view.ray_of(x_px - 0.5, y_px))
     a2, e2 = np.radians(view.ray_of(x_px + 0.5, y_px))
     half = np.sin((e2 - e1) / 2) ** 2 + np.cos(e1) * np.cos(e2) * np.sin((a2 - a1) / 2) ** 2
@@ -127,12 +127,12 @@ def _radians_per_pixel(view, x_px, y_px):
 
 @dataclass(frozen=True)
 class EllipseOptions:
-    """How the errors of pixels' places are found.
+    """How the errors of placed pixels are computed.
 
     Attributes
     ----------
     coverage : float
-        Probability that the ellipse is to hold.
+        Probability that the ellipse contains the true place.
     pairs : int
         Half the number of draws per pixel.
     """
@@ -146,15 +146,15 @@ class EllipseOptions:
 
 
 def ground_ellipses(terrain, view, placed, ellipse=EllipseOptions(), options=None, progress=SILENT):  # noqa: B008
-    """Carry the uncertainty of pose, position and DEM to the places of pixels.
+    """Propagate the uncertainty of pose, position and DEM to the places of pixels.
 
     Parameters
     ----------
     terrain : Terrain
     view : View
-        Of a photograph with its uncertainty.
+        View of a photograph with its uncertainty.
     placed : PlacedPixels
-        From `place_pixels` with the same view.
+        Result of `place_pixels` for the same view.
     ellipse : EllipseOptions
     options : SightOptions or None
     progress : Progress
@@ -212,10 +212,10 @@ def _summarise(cloud, nominal, distance_m, dem_m, coverage):
 
 
 def _same_surface(cloud, distance_m):
-    """(D, N) bool: draws that end on the surface that the pixel itself shows.
+    """(D, N) bool array: draws that end on the same surface as the pixel itself.
 
-    Sorted by distance, the draws of one pixel fall into groups where a gap is both a good share of the distance
-    and much wider than the usual step; the group that holds the pixel's own point is its surface.
+    Sorted by distance, the draws of one pixel are divided into groups at each gap that is both a large share of the
+    distance and much wider than the usual step. The group that contains the pixel's own point is its surface.
     """
     everything = np.vstack([distance_m, cloud.distance_m])
     order = np.argsort(everything, axis=0)

@@ -1,8 +1,8 @@
-"""Summits: found in a DEM by their prominence, or given with names and set onto the DEM's own tops.
+"""Summits: found in a DEM by their prominence, or given with names and moved to the DEM's own tops.
 
-Prominence is the height of a summit above the highest saddle that joins it to higher ground. Every cell is sent
-uphill to the top of its own hill; where two hills touch, their highest pass is their saddle; taken from the highest
-saddle down, hills merge, and at each merger the lower summit's prominence is known.
+Prominence is the height of a summit above the highest saddle that joins it to higher ground. Every cell is assigned to
+the top that it reaches going uphill. Where two hills touch, their highest pass is their saddle. Hills are merged from
+the highest saddle down, and each merger determines the prominence of the lower summit.
 
 References
 ----------
@@ -20,14 +20,14 @@ from scipy import ndimage
 from ..base.terrain import Window
 
 HEIGHT_WEIGHT = 3.0
-"""A metre of height tells summits apart as well as this many metres of place."""
+"""One metre of elevation difference counts as much as this many metres of distance when summits are matched."""
 
 OWN_CELLS, OWN_M = 3.0, 100.0
-"""Ground this near to a summit, in cells or metres whichever is more, belongs to its top."""
+"""Ground this close to a summit, in cells or metres, whichever is more, belongs to its top."""
 
 
 def own_ground_m(frame):
-    """How near ground belongs to a summit on this DEM [m]; see `projecting.project_places`."""
+    """Distance within which ground belongs to a summit on this DEM [m]; see `Places.own_ground_m`."""
     return max(OWN_CELLS * frame.cell_m, OWN_M)
 
 
@@ -40,10 +40,10 @@ class Summits:
     row, col : (N,) int arrays
         Cells of the window.
     elevation_m : (N,) array
-        [m].
+        Elevations [m].
     prominence_m : (N,) array
-        Above the key saddle [m]; for the window's highest ground, and for what voids cut off, above the lowest
-        cell that belongs to it.
+        Height above the key saddle [m]; for the window's highest ground, and for ground that voids cut off, above the
+        lowest cell that belongs to it.
     """
 
     row: np.ndarray
@@ -58,14 +58,14 @@ def find_summits(elevation_m, min_prominence_m=100.0):
     Parameters
     ----------
     elevation_m : (R, C) array
-        [m], NaN in voids.
+        Elevations [m], NaN in voids.
     min_prominence_m : float
-        Leave out lesser ones [m].
+        Smallest prominence that is kept [m].
 
     Returns
     -------
     Summits
-        Terrain beyond the window is not known: a summit near its edge may be less prominent than said here.
+        Terrain beyond the window is unknown: a summit near its edge may be less prominent than stated here.
     """
     z = np.asarray(elevation_m, np.float32)
     top = _tops(z)
@@ -79,7 +79,7 @@ def find_summits(elevation_m, min_prominence_m=100.0):
 
 
 def _neighbours(shape):
-    """Pairs of slices that set each cell against four of its eight neighbours, with the offset in flat cells."""
+    """Pairs of slices that compare each cell with four of its eight neighbours, with the offset in flat cells."""
     whole, first, last = slice(None), slice(None, -1), slice(1, None)
     return (
         ((whole, first), (whole, last), 1),
@@ -90,7 +90,7 @@ def _neighbours(shape):
 
 
 def _tops(z):
-    """Flat index of the top that each cell reaches by going steepest uphill, -1 in voids.
+    """Flat index of the top that each cell reaches along the steepest ascent, -1 in voids.
 
     Equal neighbours are ranked by their index, so that a plateau has one top.
     """
@@ -132,10 +132,10 @@ def _saddles(z, top):
 
 
 def _merge(z, top, saddle, left, right):
-    """Merge hills from the highest saddle down (union-find); gives each summit and its prominence.
+    """Merge hills from the highest saddle down (union-find) and return each summit and its prominence.
 
-    `scipy.sparse.csgraph` cannot take its place: its spanning tree says which saddles join hills, but not which hill
-    was the lower when they did, and that is the prominence.
+    `scipy.sparse.csgraph` cannot replace this: its spanning tree gives the saddles that join hills, but not which hill
+    was the lower at the merger, and that determines the prominence.
     """
     summits = np.unique(top[top >= 0])
     number = np.full(z.size, -1)
@@ -166,24 +166,24 @@ def _merge(z, top, saddle, left, right):
 
 
 def snap_to_summit(terrain, frame, east_m, north_m, elevation_m=None, radius_m=500.0):
-    """Set a named summit onto the DEM's own top: published places and coarse DEMs differ by hundreds of metres.
+    """Move a named summit to the DEM's own top; published places and coarse DEMs differ by hundreds of metres.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
     east_m, north_m : float
-        Published place, local metres [m].
+        Published place in local metres [m].
     elevation_m : float or None
-        Published height [m]. With it, the top within `radius_m` that is nearest in place and height is taken;
-        without it, the highest cell within a third of `radius_m`.
+        Published height [m]. With it, the top within `radius_m` that is closest in place and height is taken; without
+        it, the highest cell within a third of `radius_m`.
     radius_m : float
-        [m].
+        Search radius [m].
 
     Returns
     -------
     east_m, north_m, elevation_m : float
-        Of the DEM's cell; elevation NaN where no cell is known.
+        Place and elevation of the DEM's cell; the elevation is NaN if no cell is known.
     """
     known = elevation_m is not None and np.isfinite(elevation_m)
     reach = max(radius_m if known else radius_m / 3, 0.71 * frame.cell_m)
@@ -202,7 +202,7 @@ def snap_to_summit(terrain, frame, east_m, north_m, elevation_m=None, radius_m=5
 
 
 def _cells_around(terrain, frame, east_m, north_m, reach_m):
-    """Local places and elevations of the cells around a place, and which are as high as their neighbours."""
+    """Local positions and elevations of the cells around a place, and which are as high as their neighbours."""
     col, row = (float(value) for value in frame.to_pixel(east_m, north_m))
     side_col, side_row = (int(np.ceil(reach_m / size)) + 2 for size in frame.cell_size_m)
     window = Window(round(row) - side_row, round(col) - side_col, 2 * side_row + 1, 2 * side_col + 1)
@@ -223,16 +223,16 @@ def summits_around(terrain, frame, max_distance_m, min_prominence_m, most_cells=
     terrain : Terrain
     frame : LocalFrame
     max_distance_m : float
-        [m].
+        Search radius [m].
     min_prominence_m : float
-        [m].
+        Smallest prominence that is kept [m].
     most_cells : int
-        A larger window is searched in block maxima and its summits are then placed within their blocks.
+        A larger window is searched in block maxima, and its summits are then placed within their blocks.
 
     Returns
     -------
     list of (east_m, north_m, elevation_m, prominence_m)
-        Highest prominence first; local metres.
+        Highest prominence first; positions in local metres.
     """
     window = _window_around(terrain, frame, max_distance_m)
     if window.rows < 1 or window.cols < 1:
@@ -262,7 +262,7 @@ def _window_around(terrain, frame, max_distance_m):
 
 
 def _block_maxima(terrain, window, block):
-    """Highest known cell of each block, NaN where none is; read in strips."""
+    """Highest known cell of each block, NaN if there is none; read in strips."""
     if block == 1:
         return terrain.read(window)
     out = np.full((-(-window.rows // block), -(-window.cols // block)), np.nan, np.float32)

@@ -1,7 +1,7 @@
-"""From the map to the picture: where places appear in an oriented photograph, and whether anything hides them.
+"""From the map to the picture: the positions of places in an oriented photograph, and whether anything hides them.
 
-A place is visible when its own sight line, cast like any pixel's ray, reaches it. Lines are followed in steps of a
-pixel or two and cut where their state changes; areas are asked in a net of sample places.
+A place is visible if its own sight line, cast like any pixel's ray, reaches it. Lines are followed in steps of a pixel
+or two and cut where their state changes. Areas are tested on a grid of sample places.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from .sightline import GROUND, VOID, SightLines, SightOptions, cast_rays
 
 
 class PlaceState(IntEnum):
-    """What a photograph tells of a place.
+    """The state of a place in a photograph.
 
-    `HIDDEN`: behind terrain. `OUTSIDE`: not on the picture, or too far. `UNKNOWN`: no elevation there, or a hole in
-    the DEM before it.
+    `HIDDEN`: behind terrain. `OUTSIDE`: outside the picture, or too far away. `UNKNOWN`: the DEM has no elevation
+    there, or a hole before it.
     """
 
     HIDDEN = 0
@@ -36,20 +36,20 @@ STATE_NAMES = {state: state.name.lower() for state in PlaceState}
 
 @dataclass(frozen=True, eq=False)
 class Places:
-    """Places to look for in a picture.
+    """Places to find in a picture.
 
     Attributes
     ----------
     east_m, north_m : (N,) arrays
-        Local metres around the eye [m].
+        Positions in local metres around the eye [m].
     elevation_m : (N,) array or None
-        Absolute; NaN or None means on the surface [m]. A place given below the surface is raised to it for the
-        question of sight, so that a summit whose published height exceeds or misses a coarse DEM stays honest.
+        Absolute elevation; NaN or None means on the surface [m]. To decide visibility, a place given below the surface
+        is raised to it, so that a summit whose published height differs from that of a coarse DEM is judged correctly.
     height_above_m : float or (N,) array
-        Added to it: the height of a tower or tree [m].
+        Height added to the elevation, for example of a tower or tree [m].
     own_ground_m : float or None
-        Ground this near before a place is its own and does not hide it [m]; None means one cell. A summit wants
-        more: the edge of its top is still the summit.
+        Ground this close in front of a place belongs to it and does not hide it [m]; None means one cell. A summit
+        needs more, because the edge of its top is still the summit.
     """
 
     east_m: Any
@@ -61,21 +61,21 @@ class Places:
 
 @dataclass(frozen=True, eq=False)
 class ProjectedPlaces:
-    """Places and where they appear.
+    """Places and their positions in the picture.
 
     Attributes
     ----------
     state : (N,) uint8 array
-        Of `PlaceState`.
+        Values of `PlaceState`.
     x_px, y_px : (N,) arrays
-        Pixels of the full upright picture; given for hidden places and those off the picture too, NaN behind the
+        Pixels of the full upright picture, also of hidden places and of places outside the picture; NaN behind the
         camera.
     azimuth_deg, elevation_deg : (N,) arrays
         Direction from the eye [degrees].
     distance_m : (N,) array
-        Along the ground [m].
+        Distance along the ground [m].
     elevation_m : (N,) array
-        Of the place as used [m].
+        Elevation of the place as used [m].
     """
 
     state: np.ndarray
@@ -88,7 +88,7 @@ class ProjectedPlaces:
 
     @property
     def visible(self):
-        """(N,) bool."""
+        """(N,) bool array: places in state `VISIBLE`."""
         return self.state == PlaceState.VISIBLE
 
 
@@ -100,11 +100,11 @@ class ProjectedRun:
     ----------
     state : PlaceState
     x_px, y_px : (N,) arrays
-        Pixels along it.
+        Pixels along the stretch.
     share : tuple of two floats
-        Where on the line it begins and ends, 0 to 1 of the line's length.
+        Start and end on the line, as shares of the line's length, 0 to 1.
     distance_m : (N,) array
-        Of its places from the eye [m].
+        Distance of its places from the eye [m].
     """
 
     state: int
@@ -124,7 +124,7 @@ def project_places(terrain, view, places, options=None, all_round=False, progres
     places : Places
     options : SightOptions or None
     all_round : bool
-        Ignore the picture's frame: nothing is `OUTSIDE` for its direction.
+        Ignore the picture's frame: no place is `OUTSIDE` because of its direction.
     progress : Progress
 
     Returns
@@ -153,7 +153,7 @@ def project_places(terrain, view, places, options=None, all_round=False, progres
 
 
 def _states(terrain, view, tops, options, progress):
-    """State of places known to be on the picture."""
+    """State of places known to lie in the picture."""
     azimuth, elevation, distance = view.direction_of(tops.east_m, tops.north_m, tops.elevation_m)
     end = distance - (view.frame.cell_m if tops.own_ground_m is None else tops.own_ground_m)
     lines = SightLines(view.eye_elevation_m, azimuth, elevation, end_m=end)
@@ -171,16 +171,16 @@ def densify(east_m, north_m, view, step_px=2.0, elevation_m=None, longest=20_000
         Vertices in local metres [m].
     view : View
     step_px : float
-        Wanted step [pixels].
+        Desired step [pixels].
     elevation_m : (N,) array or None
-        Heights of the vertices, interpolated along [m].
+        Elevations of the vertices, interpolated along the line [m].
     longest : int
-        Never more places than about this.
+        Approximate upper limit of the number of places.
 
     Returns
     -------
     east_m, north_m, elevation_m, share : arrays
-        The last is the place along the line, 0 to 1; elevation NaN where none was given.
+        The last is the position along the line, 0 to 1; the elevation is NaN if none was given.
     """
     east_m, north_m = np.asarray(east_m, float), np.asarray(north_m, float)
     elevation_m = np.full(east_m.shape, np.nan) if elevation_m is None else np.asarray(elevation_m, float)
@@ -188,7 +188,7 @@ def densify(east_m, north_m, view, step_px=2.0, elevation_m=None, longest=20_000
     total = length.sum()
     if east_m.size < 2 or total == 0:
         return east_m, north_m, elevation_m, np.zeros(east_m.shape)
-    # A step seen across the line of sight is never wider than this on the picture.
+    # A step across the line of sight never appears wider than this in the picture.
     nearest = np.maximum(_nearest_m(east_m, north_m), 0.5 * view.frame.cell_m)
     pieces = np.ceil(length * view.camera.focal_px / nearest / step_px)
     pieces = np.clip(pieces, 1, np.maximum(np.ceil(4 * length / view.frame.cell_m), 1))
@@ -200,7 +200,7 @@ def densify(east_m, north_m, view, step_px=2.0, elevation_m=None, longest=20_000
 
 
 def _nearest_m(east_m, north_m):
-    """Least distance of each segment from the origin [m]."""
+    """Smallest distance of each segment from the origin [m]."""
     de, dn = np.diff(east_m), np.diff(north_m)
     t = -(east_m[:-1] * de + north_m[:-1] * dn) / np.maximum(de * de + dn * dn, 1e-12)
     t = np.clip(t, 0.0, 1.0)
@@ -215,7 +215,7 @@ def project_line(terrain, view, line, step_px=2.0, options=None, progress=SILENT
     terrain : Terrain
     view : View
     line : Places
-        Its vertices; it follows the surface unless elevations are given.
+        Vertices of the line, which follows the surface unless elevations are given.
     step_px : float
         See `densify` [pixels].
     options : SightOptions or None
@@ -250,14 +250,14 @@ def _runs(places, share):
 
 
 def sample_area(rings, spacing_m):
-    """Give places in a net over an area, inside by the even-odd rule.
+    """Sample places on a grid over an area, inside by the even-odd rule.
 
     Parameters
     ----------
     rings : sequence of (east_m, north_m) arrays
-        Outer and inner rings in any order and sense, local metres.
+        Outer and inner rings in any order and direction, in local metres.
     spacing_m : float
-        Of the net [m]; widened where it would give more than some 40,000 places.
+        Spacing of the grid [m]; widened if it would give more than about 40,000 places.
 
     Returns
     -------

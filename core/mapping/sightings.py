@@ -1,7 +1,7 @@
-"""The inverse question: how one photograph shows places, so that many can be ranked for each place.
+"""How one photograph shows given places, so that many photographs can be ranked for each place.
 
-A place is a set of sample points: one for a point, a chain for a line, a net for an area. What counts is how much
-of it is seen, how many pixels a metre of it gets, and how squarely it is looked at.
+A place is a set of sample points: one for a point, a chain for a line, a grid for an area. The ranking depends on how
+much of it is visible, how many pixels a metre of it covers, and how squarely it faces the camera.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ class Sighting:
     place : int
         Index of the place.
     visible_share : float
-        Of its sample points, 0 to 1.
+        Share of its sample points that are visible, 0 to 1.
     framed_share : float
-        Of its sample points that lie within the frame, seen or hidden.
+        Share of its sample points that lie within the frame, visible or hidden.
     x_px, y_px : float
         Middle of its visible points in the picture [pixels].
     distance_m : float
-        Median over them, along the ground [m].
+        Median distance of the visible points along the ground [m].
     azimuth_deg, elevation_deg : float
-        Direction from the camera to that point nearest the middle [degrees].
+        Direction from the camera to the visible point nearest the middle [degrees].
     pixels_per_metre : float
-        Across the line of sight, median.
+        Median number of pixels per metre across the line of sight.
     incidence_deg : float
-        Between line of sight and surface normal, median; 0 head-on, 90 grazing [degrees].
+        Median angle between line of sight and surface normal; 0 head-on, 90 grazing [degrees].
     quality : float
-        visible_share x pixels_per_metre x cos(incidence): pixels that show a metre of ground in the worse direction.
+        visible_share x pixels_per_metre x cos(incidence): pixels per metre of ground in the less favourable direction.
     """
 
     place: int
@@ -63,16 +63,16 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
     terrain : Terrain
     view : View
     places : sequence of (east_m, north_m) arrays
-        Sample points of each place, local metres around the eye [m].
+        Sample points of each place, in local metres around the eye [m].
     options : SightOptions or None
     height_above_m : float
-        Of what is looked for above the ground [m].
+        Height of the target above the ground [m].
     progress : Progress
 
     Returns
     -------
     tuple of Sighting
-        Of the places seen at all, best quality first.
+        Sightings of the places that are visible at all, best quality first.
     """
     sizes = [np.size(east) for east, _ in places]
     if not sum(sizes):
@@ -95,7 +95,7 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
 
 @dataclass(frozen=True, eq=False)
 class _Samples:
-    """All places' sample points: how they are shown, whether in the frame, depth [m] and incidence [degrees]."""
+    """Sample points of all places: how they appear, whether in the frame, depth [m] and incidence [degrees]."""
 
     shown: ProjectedPlaces
     framed: np.ndarray
@@ -104,7 +104,7 @@ class _Samples:
 
 
 def _sighting(view, place, mine, samples):
-    """Sum up one place, whose sample points are `mine`."""
+    """Summarise one place, whose sample points are `mine`."""
     shown = samples.shown
     visible, framed_share = mine & shown.visible, samples.framed[mine].mean()
     share = visible.sum() / mine.sum()

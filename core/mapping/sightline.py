@@ -1,9 +1,9 @@
-r"""Rays from an eye to the ground: which point of the terrain lies behind a direction.
+r"""Rays from an eye to the ground: the point of the terrain that lies in a given direction.
 
 Seen from the eye, a point at ground distance d and elevation z has the elevation angle
-atan((z - drop(d) - eye) / d), the drop being curvature less refraction. A ray of one elevation angle is therefore
-the parabola eye + d tan(elevation) + drop(d) over the map, and it meets the terrain where the bilinear surface of
-the DEM first reaches it. That crossing is found exactly, patch by patch; block maxima skip the air before it::
+atan((z - drop(d) - eye) / d), where the drop is curvature less refraction. A ray of one elevation angle is therefore
+the parabola eye + d tan(elevation) + drop(d) over the map, and it reaches the terrain where the bilinear surface of
+the DEM first meets it. That crossing is found exactly, patch by patch; block maxima skip the air before it::
 
     eye *-.__
              `--.__        ________
@@ -33,14 +33,14 @@ BATCH_RAYS = 200_000
 
 @dataclass(frozen=True)
 class SightOptions:
-    """How far rays go.
+    """The range of the rays.
 
     Attributes
     ----------
     min_distance_m : float
-        Nothing nearer stops a ray [m].
+        Nothing nearer than this stops a ray [m].
     max_distance_m : float
-        Nothing farther is looked at [m].
+        Nothing farther than this is examined [m].
     refraction_coefficient : float
         See `core.base.curvature`.
     """
@@ -56,7 +56,7 @@ class SightOptions:
 
 @dataclass(frozen=True, eq=False)
 class GroundHits:
-    """Where rays end.
+    """End points of rays.
 
     Attributes
     ----------
@@ -65,9 +65,9 @@ class GroundHits:
     east_m, north_m : (N,) arrays
         Local metres in the observer's frame, NaN unless `GROUND` [m].
     elevation_m : (N,) array
-        Of the surface there [m].
+        Elevation of the surface there [m].
     distance_m : (N,) array
-        Along the ground from the ray's origin [m].
+        Distance along the ground from the ray's origin [m].
     """
 
     state: np.ndarray
@@ -78,7 +78,7 @@ class GroundHits:
 
     @property
     def on_ground(self):
-        """(N,) bool: rays that meet known terrain."""
+        """(N,) bool array: rays that reach known terrain."""
         return self.state == GROUND
 
 
@@ -89,13 +89,13 @@ class SightLines:
     Attributes
     ----------
     eye_elevation_m : float or array
-        Of the rays' origins [m].
+        Elevation of the rays' origins [m].
     azimuth_deg, elevation_deg : float or array
         True azimuth and elevation angle above the horizontal [degrees].
     east_m, north_m : float or array
         Origins in local metres, 0 at the observer [m].
     end_m : float or array
-        Do not look beyond this distance [m].
+        Distance at which the ray ends [m].
     """
 
     eye_elevation_m: Any
@@ -107,13 +107,13 @@ class SightLines:
 
 
 def cast_rays(terrain, frame, lines, options=None, progress=SILENT):
-    """Find where rays first meet the terrain.
+    """Find where rays first reach the terrain.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
-        Around the observer, reaching at least as far as the rays.
+        Frame around the observer, reaching at least as far as the rays.
     lines : SightLines
     options : SightOptions or None
     progress : Progress
@@ -125,7 +125,7 @@ def cast_rays(terrain, frame, lines, options=None, progress=SILENT):
     Notes
     -----
     A ray that starts inside the terrain (an eye below the DEM's coarse surface, or `min_distance_m` behind a hill)
-    is taken to look out of it: only a surface reached from above stops a ray.
+    passes out of it: only a surface reached from above stops a ray.
     """
     options = options or SightOptions()
     given = lines.azimuth_deg, lines.elevation_deg, lines.eye_elevation_m, lines.east_m, lines.north_m, lines.end_m
@@ -155,7 +155,7 @@ def cast_rays(terrain, frame, lines, options=None, progress=SILENT):
 
 
 def _cast_batch(terrain, frame, rays, progress):
-    """March rays outwards through windows of bounded size; gives (state, distance)."""
+    """March rays outwards through windows of bounded size and return (state, distance)."""
     count = rays.distance_m.size
     state, reach = np.full(count, SKY, np.uint8), np.full(count, np.nan)
     alive = np.flatnonzero((rays.end_m > rays.distance_m) & np.isfinite(rays.slope))
@@ -182,13 +182,13 @@ def _cast_batch(terrain, frame, rays, progress):
 
 
 def _must_land(rays, lowest_ground_m):
-    """Rays that, still free where the DEM ended, go on to dive below the lowest ground seen."""
+    """Rays that were still free at the end of the DEM but would later pass below the lowest ground seen."""
     vertex = np.minimum(-rays.slope / (2 * rays.bend_per_m + 1e-300), 1e9)
     return (vertex > rays.distance_m) & (rays.height(vertex) < lowest_ground_m)
 
 
 def _next_window(shape, frame, rays):
-    """Choose how far to go next, and the window of patches that all rays cross until there."""
+    """Choose how far to go next, and the window of patches that all rays cross up to there."""
     start, end = rays.distance_m.min(), rays.end_m.max()
     stop = end
     for _ in range(40):

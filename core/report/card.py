@@ -1,4 +1,4 @@
-"""One photograph's card: made so that a person judges the match in five seconds."""
+"""The card of one photograph, laid out so that a person can judge the match in five seconds."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ def photo_card(photo, number, extras=None, picture_px=1200, panels=None, say=str
     ----------
     photo : OrientedPhoto
     number : int
-        Of the photo in the run, from 1; the card's anchor is 'photo-<number>'.
+        Number of the photo in the run, from 1; the card's anchor is 'photo-<number>'.
     extras : mapping or None
         Further labels and values for the numbers.
     picture_px : int
-        Width to which the picture is reduced [pixels]; 0 draws nothing: only words and numbers, for very long runs.
+        Width to which the picture is reduced [pixels]; 0 draws nothing, only text and numbers, for very long runs.
     panels : uint8 (h, w, 3) array or None
-        Figure of where it looks and what ground it shows.
+        Figure of the direction of view and the ground in view.
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
@@ -131,7 +131,7 @@ def _notes(photo):
 
 
 def _overlay(photo, number, picture_px, say):
-    """The picture once, its lines once, and two views of both: around the skyline, and whole."""
+    """Draw the picture once, its lines once, and two views of both: around the skyline, and whole."""
     key = f"p{number}"
     width, height = full_size(photo)
     tall = SPAN * height / width
@@ -189,7 +189,7 @@ def _plots(photo, say):
 
 
 def _ground(panels, picture_px, say):
-    """The three panels, reduced like the picture; lazy loading would spare nothing, and leave them out in print."""
+    """Draw the three panels, reduced like the picture; lazy loading would save nothing, and omit them in print."""
     if panels is None:
         return ""
     height, width = panels.shape[:2]

@@ -1,4 +1,4 @@
-"""What the report says about a photograph in numbers: units, unknowns as dashes, nothing made up."""
+"""The numbers that the report gives for a photograph: with units, unknown values as dashes, nothing invented."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..base.overlay_lines import skyline_residuals_px
 from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
 
 STATUSES = ("accepted", "ambiguous", "rejected", "failed")
-"""From best to worst; also the order in which the summary sorts them."""
+"""From best to worst, which is also the order in which the summary sorts them."""
 
 
 @dataclass(frozen=True)
 class Summary:
-    """One photograph's line in the overview; None where unknown.
+    """One photograph's line in the overview; None if unknown.
 
     Attributes
     ----------
@@ -48,18 +48,18 @@ class Summary:
 
 
 def file_name(path):
-    """Name of a file without its folder, whichever system wrote the path."""
+    """Name of a file without its folder, whichever operating system wrote the path."""
     return re.split(r"[\\/]", str(path).rstrip("\\/"))[-1] or str(path)
 
 
 def status_of(photo):
-    """The photo's status; an unheard-of one counts as failed, for it becomes a class name of the page."""
+    """Return the photo's status; an unknown one counts as failed, because it becomes a class name of the page."""
     status = photo.orientation.status
     return status if status in STATUSES else "failed"
 
 
 def status_word(status, say=str):
-    """The status for a reader; in attributes it stays English."""
+    """Return the status in the reader's language; in attributes it stays English."""
     return {
         "accepted": say("accepted"),
         "ambiguous": say("ambiguous"),
@@ -74,7 +74,7 @@ def pixels_per_degree(photo):
 
 
 def summarise(photo):
-    """Gather the overview's line of an `OrientedPhoto`."""
+    """Compute the overview's line of an `OrientedPhoto`."""
     orientation, best = photo.orientation, photo.orientation.best
     name, status = file_name(photo.path), status_of(photo)
     if best is None:
@@ -112,7 +112,7 @@ def compass_difference_deg(photo):
 
 
 def fact_groups(photo, extras=None, say=str):
-    """All numbers of a photograph.
+    """Collect all numbers of a photograph.
 
     Parameters
     ----------
@@ -120,12 +120,12 @@ def fact_groups(photo, extras=None, say=str):
     extras : mapping or None
         Further labels and values from the caller, shown first.
     say : callable
-        See `draw_text`.
+        Translates the fixed English words; see `core.figures.text`.
 
     Returns
     -------
     list of (title, list of (label, words))
-        Plain words, not escaped; groups without any known value are left out.
+        Plain text, not escaped; groups without any known value are left out.
     """
     groups = [
         (say("Other values"), [(str(label), str(value)) for label, value in (extras or {}).items()]),
@@ -151,7 +151,7 @@ def interval_words(orientation, say=str):
 
 
 def percent(share):
-    """Write a probability or share as per cent; never 100 for what is not certain."""
+    """Write a probability or share as a percentage; never 100 for a value that is not certain."""
     if not is_known(share):
         return "–"
     if 0.999 < share < 1:

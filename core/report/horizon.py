@@ -1,4 +1,4 @@
-"""The HTML report of horizon profiles: one card per place, its horizon drawn, its numbers said."""
+"""The HTML report of horizon profiles: one card per place, with a drawing of its horizon and its numbers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .page import DEFAULT_SOFTWARE, PageWriter, fact_table
 from .pieces import fill, joined, long_text
 
 MOST_WITH_FIGURES = 2_000
-"""Places drawn; a page of more would be hard to open."""
+"""Most places that are drawn; a larger page would be hard to open."""
 
 
 class HorizonReportWriter(PageWriter):
@@ -28,7 +28,7 @@ class HorizonReportWriter(PageWriter):
         Parameters
         ----------
         name : str
-            What the place is called; any text.
+            Name of the place; any text.
         horizon : HorizonProfile
         longitude_deg, latitude_deg : float or None
             WGS 84 [degrees].
@@ -50,7 +50,7 @@ class HorizonReportWriter(PageWriter):
         self._card("place", name, joined([drawing, fill("numbers", tables=tables)]))
 
     def add_failed(self, name, message):
-        """Append the card of a place that has no horizon, with the reason."""
+        """Append the card of a place without a horizon, with the reason."""
         self._rows.append((name, None))
         self._card("failed", name, fill("advice", words=long_text(message)), badge("failed", self._say))
 

@@ -1,4 +1,4 @@
-"""The report's head: counts, filters, and the table of all photographs, which sorts by a click."""
+"""The head of the report: counts, filters, and the table of all photographs, which sorts by a click."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .facts import STATUSES, percent, status_word
 from .pieces import fill, joined
 
 SIGNS = {"accepted": "✓", "ambiguous": "?", "rejected": "✕", "failed": "!"}
-"""Beside the colour, for those who do not tell red from green."""
+"""Signs shown beside the colour, for readers who cannot tell red from green."""
 
 LAYERS = ("evidence", "extracted", "best", "alternative")
-"""Of the overlays."""
+"""Layers of the overlays."""
 
 
 def columns(say):
-    """Heads of the table, and whether the column sorts by number."""
+    """Headings of the table, and whether each column sorts by number."""
     return (
         (say("Status"), True),
         (say("Photo"), False),
@@ -38,14 +38,17 @@ def badge(status, say=str):
 
 
 def switches():
-    """Hidden inputs that filter photographs and switch layers without a script; they precede all they steer."""
+    """Hidden inputs that filter photographs and switch layers without a script.
+
+    They precede the elements that they control.
+    """
     shown = [("show_switch", name, " checked" if name == "all" else "") for name in ("all", *STATUSES)]
     layers = [("layer_switch", name, " checked") for name in LAYERS] + [("layer_switch", "whole", "")]
     return joined([*(fill(piece, name=name, checked=checked) for piece, name, checked in shown + layers), "\n"])
 
 
 def bar(summaries, say=str):
-    """The bar that stays in sight: filters by status on the left, layers of the overlays on the right."""
+    """The bar that stays in view: filters by status on the left, layers of the overlays on the right."""
     counts = Counter(summary.status for summary in summaries)
     filters = [("all", f"{say('all')} {len(summaries)}")]
     filters += [(name, f"{SIGNS[name]} {status_word(name, say)} {counts[name]}") for name in STATUSES if counts[name]]
@@ -95,5 +98,5 @@ def _row(number, summary, say):
 
 
 def number_cell(value, words):
-    """A cell that sorts by its value, None or NaN where unknown."""
+    """A cell that sorts by its value, None or NaN if unknown."""
     return fill("number_cell", sort=f"{value:.6g}" if is_known(value) else "", words=words)

@@ -1,7 +1,7 @@
-"""The frame of a report: one HTML file that needs nothing else, and forbids itself to load anything.
+"""The frame of a report: one self-contained HTML file that forbids itself to load anything.
 
-A Content-Security-Policy names the hashes of our own style sheet and script and allows pictures from data URLs: even
-if a hostile text got past the escaping, a browser would neither run nor fetch it.
+A Content-Security-Policy lists the hashes of our own style sheet and script and allows pictures from data URLs. Even if
+a hostile text passed the escaping, a browser would neither run nor fetch it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _HERE = Path(__file__).parent
 
 
 def parameter_panel(parameters, say=str):
-    """Fold-out list of a run's parameters; a mapping inside the mapping becomes a group of its own."""
+    """Collapsible list of a run's parameters; a mapping inside the mapping becomes a group of its own."""
     if not parameters:
         return Html()
     loose = {label: value for label, value in parameters.items() if not isinstance(value, Mapping)}
@@ -30,7 +30,7 @@ def parameter_panel(parameters, say=str):
 
 
 def fact_table(title, rows):
-    """A titled two-column table of plain words, escaped here."""
+    """A titled two-column table of plain text, escaped here."""
     cells = joined(fill("fact_row", label=label, words=long_text(words, 2000)) for label, words in rows)
     return fill("fact_table", title=title, rows=cells)
 
@@ -41,7 +41,7 @@ def data_url(payload, kind):
 
 
 def _assets():
-    """Style sheet, script, and the policy that allows these two and nothing else."""
+    """Return the style sheet, the script, and the policy that allows only these two."""
     style, script = STYLE + _read("report.css"), _read("report.js")
     policy = (
         f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
@@ -68,22 +68,23 @@ DEFAULT_SOFTWARE = "Skyline Viewshed"
 
 
 class Document(Protocol):
-    """Where a page goes: `core.io.whole_file.ReportFile` spools it to disk."""
+    """The destination of a page: `core.io.whole_file.ReportFile` spools it to disk."""
 
     def write(self, text: str) -> None:
         """Append to the body."""
 
     def finish(self, head: str, tail: str) -> None:
-        """Put `head` before the body and `tail` behind it, and make the whole appear."""
+        """Put `head` before the body and `tail` after it, and publish the complete file."""
 
     def discard(self) -> None:
-        """Leave nothing behind."""
+        """Leave no file behind."""
 
 
 class PageWriter:
-    """What all reports share: title, parameters, cards, and the end.
+    """The common parts of all reports: title, parameters, cards, and the end.
 
-    Used as a context manager the page appears at the end of the block, and not at all after an error or a cancel.
+    If the writer is used as a context manager, the page appears at the end of the block, and not after an error or a
+    cancel.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ class PageWriter:
     created : datetime or None
         Printed under the title.
     say : callable
-        Gives a fixed English word in the reader's language; see `draw_text`.
+        Translates a fixed English word into the reader's language; see `core.figures.text`.
     """
 
     def __init__(self, document, title, parameters=None, *, software=DEFAULT_SOFTWARE, created=None, say=str):
@@ -113,7 +114,7 @@ class PageWriter:
             self.discard()
 
     def close(self):
-        """Finish the page and make it appear."""
+        """Finish the page and publish it."""
         if self._open:
             self._open = False
             say, assets = self._say, _assets()
@@ -143,13 +144,13 @@ class PageWriter:
         )
 
     def discard(self):
-        """Give the page up, leaving nothing behind."""
+        """Abandon the page and leave no file behind."""
         if self._open:
             self._open = False
             self._document.discard()
 
     def _counts(self):
-        """Words under the title."""
+        """Text under the title."""
         return []
 
     def _frame(self):

@@ -1,4 +1,4 @@
-"""The pieces of HTML in `report.html`, filled with values: text is escaped, HTML is not."""
+"""The HTML templates in `report.html`, filled with values: text is escaped, HTML is not."""
 
 from __future__ import annotations
 
@@ -12,20 +12,21 @@ _FILE = Path(__file__).with_name("report.html")
 
 
 class Html(str):
-    """Text that is HTML already, so that `fill` takes it as it is."""
+    """Text that is already HTML, so that `fill` inserts it unchanged."""
 
     __slots__ = ()
 
 
 def fill(piece, **values):
-    """Fill a piece of `report.html`.
+    """Fill a template of `report.html`.
 
     Parameters
     ----------
     piece : str
-        Its name.
+        Name of the template.
     **values
-        For the names in braces. `Html` is put in as it is; anything else is escaped and cut to `LONGEST_TEXT`.
+        Values for the names in braces. `Html` is inserted unchanged; anything else is escaped and cut to
+        `LONGEST_TEXT`.
 
     Returns
     -------
@@ -36,7 +37,7 @@ def fill(piece, **values):
 
 
 def joined(parts):
-    """Pieces one after the other."""
+    """Join filled templates, one after the other."""
     return Html("".join(parts))
 
 

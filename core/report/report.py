@@ -1,4 +1,4 @@
-"""The HTML report of oriented photographs: written card by card, so that ten thousand need no memory for pictures."""
+"""The HTML report of oriented photographs, written card by card, so that ten thousand need no memory for pictures."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from .page import DEFAULT_SOFTWARE, PageWriter
 from .pieces import Html, fill, joined, long_text
 
 MOST_ACCEPTED_WITH_FIGURES = 1_000
-"""Accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers only."""
+"""Most accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers
+only."""
 
 MOST_WITH_FIGURES = 2_000
-"""All photographs drawn in full: the doubtful ones keep their pictures longer."""
+"""Most photographs drawn in full; the doubtful ones keep their pictures longer."""
 
 
 MOST_ON_PLAN = 1_000
@@ -27,7 +28,7 @@ class ReportWriter(PageWriter):
     document, title, parameters, software, created, say
         As for `PageWriter`.
     expected_photos : int
-        Decides how far pictures are reduced.
+        Number of photographs expected, which determines how far pictures are reduced.
     """
 
     # parameters: those of `PageWriter`, and one of its own
@@ -55,7 +56,7 @@ class ReportWriter(PageWriter):
         extras : mapping or None
             Further labels and values.
         panels : uint8 (h, w, 3) array or None
-            The figure of where it looks and what ground it shows.
+            Figure of the direction of view and the ground in view.
         """
         self._summaries.append(summarise(photo))
         self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
@@ -74,7 +75,7 @@ class ReportWriter(PageWriter):
         return (switches(), bar(self._summaries, self._say)), joined([table, self._plan()]), self._left_out()
 
     def _plan(self):
-        """The plan of the stations, folded in; the first thousand of them."""
+        """Draw the collapsible plan of the stations, at most the first thousand of them."""
         say = self._say
         plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
         title = say("Camera positions and headings")
@@ -101,5 +102,5 @@ def _station(photo, summary, number):
 
 
 def picture_width_px(photos):
-    """Width to which pictures are reduced in a report of so many photographs [pixels]."""
+    """Width to which pictures are reduced in a report of this many photographs [pixels]."""
     return 1200 if photos <= 150 else 800 if photos <= 600 else 480

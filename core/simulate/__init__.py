@@ -1,1 +1,1 @@
-"""Render photographs of a DEM with exactly known pose."""
+"""Rendering of photographs of a DEM with an exactly known pose."""

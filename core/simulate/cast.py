@@ -1,9 +1,8 @@
-"""Which ground each pixel of a simulated photograph sees.
+"""The ground that each pixel of a simulated photograph sees.
 
-Terrain is sampled once on a fan of vertical planes (columns of azimuth, rings of distance). Along a plane the running
-maximum of the sight-line tangent is what hides: the first ring at which it reaches a pixel's own tangent holds the
-ground that the pixel shows. Any pose, roll and lens distortion is only a matter of which azimuth and tangent a pixel
-has.
+Terrain is sampled once on a fan of vertical planes (columns of azimuth, rings of distance). Along a plane, terrain is
+hidden by the running maximum of the sight-line tangent: the first ring at which it reaches a pixel's own tangent holds
+the ground that the pixel shows. Pose, roll and lens distortion only determine the azimuth and tangent of each pixel.
 """
 
 from __future__ import annotations
@@ -33,9 +32,9 @@ class Fan:
     distance_m : (D,) array
         Increasing ground distances [m].
     tangent : (A, D) float32 array
-        Of the terrain's apparent elevation angle.
+        Tangent of the terrain's apparent elevation angle.
     highest : (A, D) float32 array
-        Its running maximum along the distance.
+        Running maximum of `tangent` along the distance.
     """
 
     azimuth_deg: np.ndarray
@@ -45,14 +44,14 @@ class Fan:
 
 
 def pixel_directions(camera, pose, rows=None):
-    """Direction of every pixel.
+    """Compute the direction of every pixel.
 
     Parameters
     ----------
     camera : Camera
     pose : Pose
     rows : range or None
-        Rows wanted; None for all.
+        Rows to compute; None for all.
 
     Returns
     -------
@@ -92,11 +91,11 @@ def cast_fan(terrain_patch, view, turns_deg, range_m, progress):
     ----------
     terrain_patch : TerrainPatch
     view : View
-        Its camera's focal length tells how densely.
+        View whose camera's focal length determines the density of the samples.
     turns_deg : (float, float)
-        First and last plane, from the heading [degrees].
+        First and last plane, relative to the heading [degrees].
     range_m : float
-        How far [m].
+        Range of the samples [m].
     progress : Progress
 
     Returns
@@ -130,7 +129,7 @@ SAMPLES_AT_CREST = 12
 
 
 def _sharpen_crests(tangent, angle, distance, tangents):
-    """Raise rings that stand on a visible crest to the crest's true height, which lies between rings."""
+    """Raise rings next to a visible crest to the crest's true height, which lies between rings."""
     highest = np.maximum.accumulate(tangent, axis=1)
     inner = tangent[:, 1:-1]
     crest = (inner >= highest[:, 1:-1]) & (inner > tangent[:, 2:]) & (inner > UNSEEN_TAN)
@@ -143,13 +142,13 @@ def _sharpen_crests(tangent, angle, distance, tangents):
 
 
 def first_hits_m(fan, azimuth_deg, tangent):
-    """Ground distance of what each sight line meets first.
+    """Compute the ground distance of the first terrain that each sight line meets.
 
     Parameters
     ----------
     fan : Fan
     azimuth_deg, tangent : (N,) arrays
-        Of the sight lines; azimuths in the fan's own count [degrees].
+        Direction of the sight lines; azimuths as counted in the fan [degrees].
 
     Returns
     -------
@@ -169,7 +168,7 @@ def first_hits_m(fan, azimuth_deg, tangent):
     sky = ring == fan.distance_m.size
     far = np.minimum(ring, fan.distance_m.size - 1)
     near = np.maximum(far - 1, 0)
-    # Heights of the terrain above the sight line at both rings; the line meets the ground where that is zero.
+    # Heights of the terrain above the sight line at both rings; the line reaches the ground where that is zero.
     far_gap = (fan.tangent[plane, far] - tangent) * fan.distance_m[far]
     near_gap = (fan.tangent[plane, near] - tangent) * fan.distance_m[near]
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -180,7 +179,13 @@ def first_hits_m(fan, azimuth_deg, tangent):
 
 
 def skyline_row_px(fan, camera, pose):
-    """Exact boundary of sky and terrain.
+    """Compute the exact boundary of sky and terrain.
+
+    Parameters
+    ----------
+    fan : Fan
+    camera : Camera
+    pose : Pose
 
     Parameters
     ----------
@@ -215,7 +220,7 @@ PIXELS_PER_BLOCK = 400_000
 
 @dataclass(frozen=True, eq=False)
 class Traced:
-    """Directions of all pixels and what they meet, (H, W) float32 arrays.
+    """Directions of all pixels and the terrain they show, (H, W) float32 arrays.
 
     Attributes
     ----------
@@ -224,7 +229,7 @@ class Traced:
     distance_m : array
         Ground distance; inf for sky [m].
     east_m, north_m, elevation_m : arrays
-        Place of the ground; NaN for sky [m].
+        Position of the ground; NaN for sky [m].
     """
 
     turn_deg: np.ndarray
@@ -242,7 +247,7 @@ def row_blocks(camera):
 
 
 def turns_deg(camera, pose):
-    """Leftmost and rightmost azimuth in the frame, from the heading [degrees]."""
+    """Leftmost and rightmost azimuth in the frame, relative to the heading [degrees]."""
     seen = [pixel_directions(camera, pose, rows)[0] for rows in row_blocks(camera)]
     return float(min(turn.min() for turn in seen)), float(max(turn.max() for turn in seen))
 

@@ -1,4 +1,4 @@
-"""Trees and people close to a simulated camera: dark shapes before terrain and sky."""
+"""Trees and people close to a simulated camera: dark shapes in front of terrain and sky."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ JACKETS = np.array([[0.16, 0.03, 0.03], [0.03, 0.05, 0.12], [0.20, 0.13, 0.03], 
 
 
 def draw_foreground(shape, ridge_row_px, scene):
-    """Draw what stands near the camera.
+    """Draw the objects near the camera.
 
     Parameters
     ----------
     shape : (height, width)
-        [pixels].
+        Size of the picture [pixels].
     ridge_row_px : (W,) array
-        Row of the skyline, to which some tree tops reach [pixels].
+        Row of the skyline, which some tree tops reach [pixels].
     scene : SceneOptions
 
     Returns
@@ -46,7 +46,7 @@ def draw_foreground(shape, ridge_row_px, scene):
 
 
 def _tree(generator, height, width, ridge_row_px):
-    """Place and outline of a conifer: clustered at the sides, its top around the ridge or below it."""
+    """Position and outline of a conifer: clustered at the sides, its top around the ridge or below it."""
     side = generator.random()
     x = width * (side**2 * 0.5 if generator.random() < 0.5 else 1 - side**2 * 0.5)
     ridge = float(ridge_row_px[int(np.clip(x, 0, width - 1))])
@@ -57,7 +57,7 @@ def _tree(generator, height, width, ridge_row_px):
 
 
 def _person(generator, height, width):
-    """Place and outline of someone standing close by."""
+    """Position and outline of a person standing close by."""
     tall = height * (0.2 + 0.4 * generator.random())
     jacket = JACKETS[int(generator.random() * len(JACKETS))]
     x = width * generator.random()
@@ -65,7 +65,7 @@ def _person(generator, height, width):
 
 
 def _conifer_half_width(down, half, noise):
-    """Half width of a conifer a share `down` from its top: whorls of drooping branches."""
+    """Half width of a conifer at a share `down` from its top: whorls of drooping branches."""
     whorl = 0.62 + 0.38 * np.mod(down * 17 + 0.4 * noise, 1.0)
     return half * down**0.9 * whorl * (1 + 0.35 * noise)
 
@@ -78,7 +78,7 @@ def _person_half_width(down, half, noise):
 
 
 def _paint(opacity, colour, place, shape_of, tile, generator):
-    """Put one shape on the picture; give the width that it newly covers [pixels]."""
+    """Draw one shape into the picture and return the width that it newly covers [pixels]."""
     x, top, half, tint, rough = place
     height, width = opacity.shape
     first_row, rows = max(int(top), 0), np.arange(max(int(top), 0), height)

@@ -1,6 +1,6 @@
-"""Fractal noise from small periodic tiles: the texture of rendered ground, the shapes of clouds, the edges of trees.
+"""Fractal noise from small periodic tiles, used for the texture of ground, the shapes of clouds and the edges of trees.
 
-A tile is made once by spectral synthesis (random phases under a power law) and looked up anywhere in the plane, so
+A tile is made once by spectral synthesis (random phases under a power law) and can be sampled anywhere in the plane, so
 that the same place always has the same texture, whatever picture shows it.
 """
 
@@ -31,12 +31,12 @@ class NoiseTile:
     cells: int
 
     def sample(self, x, y, blur_cells=None):
-        """Look up value and gradient.
+        """Sample value and gradient.
 
         Parameters
         ----------
         x, y : (...) arrays
-            Places in cells of the tile; any real number.
+            Positions in cells of the tile; any real number.
         blur_cells : (...) array or None
             Size of the footprint to average over [cells]; None means a point.
 
@@ -70,7 +70,7 @@ class NoiseTile:
 
 @lru_cache(maxsize=12)
 def noise_tile(seed, slope=1.0, longest_cells=np.inf):
-    """Make a tile whose amplitude falls as 1 / frequency ** `slope` (0 white, 1 rough, 2 smooth).
+    """Make a tile whose amplitude falls as 1 / frequency ** `slope`.
 
     Waves longer than `longest_cells` are left out: a tile that is repeated many times in a picture must not have
     features of its own period.
@@ -104,7 +104,7 @@ def noise_tile(seed, slope=1.0, longest_cells=np.inf):
 
 
 def without_long_waves(waves_per_cell, longest_cells):
-    """Factor that takes the waves longer than `longest_cells` out of a spectrum, without an edge."""
+    """Factor that removes the waves longer than `longest_cells` from a spectrum, without a sharp cut-off."""
     return 1 - np.exp(-(np.minimum(waves_per_cell * min(longest_cells, 1e6), 10.0) ** 2))
 
 

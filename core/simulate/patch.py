@@ -1,4 +1,4 @@
-"""The part of a terrain that a simulated view needs, in memory in one piece."""
+"""The part of a terrain that a simulated view needs, in memory as one array."""
 
 from __future__ import annotations
 
@@ -10,54 +10,54 @@ from scipy.ndimage import map_coordinates
 from ..base.terrain import Window
 
 VOID_M = -2.0e4
-"""Elevation given to voids: they hide nothing and show nothing."""
+"""Elevation given to voids, so that they hide nothing and show nothing."""
 
 
 @dataclass(frozen=True, eq=False)
 class TerrainPatch:
-    """The part of a terrain that a view needs, in one piece.
+    """The part of a terrain that a view needs, as one array.
 
     Attributes
     ----------
     elevation_m : (r, c) float32 array
-        [m], voids at `VOID_M`.
+        Elevations [m]; voids are set to `VOID_M`.
     window : Window
-        Its place in the raster.
+        Position of the patch in the raster.
     """
 
     elevation_m: np.ndarray
     window: Window
 
     def sample(self, field, frame, east_m, north_m, outside):
-        """Look a field up at local metres.
+        """Sample a field at local metres.
 
         Parameters
         ----------
         field : (r, c) array
-            Over the patch.
+            Field over the patch.
         frame : LocalFrame
         east_m, north_m : array
-            [m].
+            Positions [m].
         outside : float
-            Given beyond the patch.
+            Value beyond the patch.
         """
         col, row = frame.to_pixel(east_m, north_m)
         return sample_field(field, row - self.window.row, col - self.window.col, outside)
 
 
 def sample_field(field, row_px, col_px, outside=None):
-    """Interpolate a (r, c) field of a simulated scene bilinearly, in single precision.
+    """Interpolate an (r, c) field of a simulated scene bilinearly, in single precision.
 
-    All of `simulate` samples by this function, and not by `base.terrain.bilinear`: scenes know no voids, and their
-    pictures, on which the published accuracy stands, shall stay the same to the last bit.
+    All of `simulate` samples with this function, and not with `core.base.terrain.bilinear`: scenes have no voids, and
+    their pictures, on which the published accuracy is based, must stay the same to the last bit.
 
     Parameters
     ----------
     field : (r, c) array
     row_px, col_px : array
-        The first cell's centre at 0 [pixels].
+        Positions, with the first cell's centre at 0 [pixels].
     outside : float or None
-        Given beyond the field; None holds the outer cells.
+        Value beyond the field; None extends the outer cells.
     """
     place = np.array([row_px, col_px])
     if outside is None:

@@ -1,7 +1,7 @@
-"""Simulated photographs: what a camera at a place would see of a terrain model, with exact truth for every pixel.
+"""Simulated photographs: the view of a camera over a terrain model, with the exact truth for every pixel.
 
-Serves tests and benchmarks (known pose, known skyline, known ground), the demo, and users who ask what a photograph
-from somewhere would look like.
+They serve tests and benchmarks (known pose, known skyline, known ground), the demo, and users who want to know how a
+photograph from a given place would look.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .shading import Ground, Relief, shade_ground
 from .sky import air_light, cloud_colour, clouds_before, clouds_behind, daylight, sky_radiance, transmission
 
 LOWEST_EYE_M = 0.5
-"""An eye below the terrain would see nothing but the inside of a hill [m above the surface]."""
+"""An eye below the terrain would see only the inside of a hill [m above the surface]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,23 +39,23 @@ class RenderedView:
     distance_m : (H, W) float32 array
         Ground distance of the terrain behind each pixel, whether or not cloud or trees hide it; inf for sky [m].
     east_m, north_m : (H, W) float32 arrays
-        Its place in the observer's local frame; NaN for sky [m].
+        Position of that terrain in the observer's local frame; NaN for sky [m].
     elevation_m : (H, W) float32 array
-        Its elevation; NaN for sky [m].
+        Elevation of that terrain; NaN for sky [m].
     skyline_row_px : (W,) array
-        Continuous row of the boundary between sky and terrain at the centre of each column, as the terrain has it,
-        whether or not something hides it; NaN where it leaves the frame. Rows from the next whole one on are
+        Continuous row of the boundary between sky and terrain at the centre of each column, according to the terrain,
+        whether or not something hides it; NaN where it leaves the frame. Rows from the next whole number on are
         terrain [pixels].
     skyline_visible : (W,) bool array
         Neither cloud nor foreground hides the boundary in this column.
     hidden : (H, W) bool array
         Pixels whose terrain or sky is hidden by cloud or foreground.
     frame : LocalFrame
-        Of the observer, for the way to the raster's pixels.
+        Frame of the observer, for conversion to the raster's pixels.
     eye_elevation_m : float
         [m].
     observer, camera, pose, scene
-        What was asked for.
+        The inputs of `render_view`.
     """
 
     pixels: np.ndarray
@@ -82,18 +82,18 @@ def render_view(
     scene: SceneOptions | None = None,
     progress: Progress = SILENT,
 ) -> RenderedView:
-    """Take a simulated photograph.
+    """Render a simulated photograph.
 
     Parameters
     ----------
     terrain : Terrain
     observer : Observer
-        An eye below the surface is lifted to `LOWEST_EYE_M` above it.
+        Position of the eye; an eye below the surface is raised to `LOWEST_EYE_M` above it.
     camera : Camera
         Size, focal length, principal point and radial distortion.
     pose : Pose
     scene : SceneOptions or None
-        None gives a clear day.
+        None means a clear day.
 
     Raises
     ------
@@ -134,7 +134,7 @@ def render_view(
 
 
 def _light(traced, relief, view, scene, progress):
-    """Light from sky, clouds behind and hazy ground, before anything in front of it."""
+    """Compute the light from sky, clouds behind the terrain and hazy ground, before anything in front of it."""
     camera, pose = view.camera, view.pose
     radiance = np.empty(traced.tangent.shape + (3,), np.float32)
     levels = _levels(scene, traced.elevation_m, traced.distance_m)
@@ -166,7 +166,7 @@ def _hazy_ground(part, solid, relief, view, scene, levels):
 
 
 def _soften(radiance, skyline):
-    """Mix sky and ground in the pixels that hold both, in proportion to their shares of the column."""
+    """Mix sky and ground in the pixels that contain both, in proportion to their shares of the column."""
     column = np.flatnonzero(np.isfinite(skyline))
     first = np.clip(np.ceil(skyline[column]), 1, radiance.shape[0] - 1).astype(np.intp)
     sky, ground = radiance[first - 1, column].copy(), radiance[first, column].copy()
@@ -177,7 +177,7 @@ def _soften(radiance, skyline):
 
 
 def _levels(scene, elevation, distance):
-    """Tree and snow line as given, else at shares of the far terrain's relief [m]."""
+    """Tree line and snow line as given, or else at shares of the far terrain's relief [m]."""
     thin = max(1, int(np.sqrt(elevation.size / 200_000)))
     elevation, distance = elevation[::thin, ::thin], distance[::thin, ::thin]
     solid = np.isfinite(distance)
@@ -191,7 +191,7 @@ def _levels(scene, elevation, distance):
 
 
 def _obstruct(radiance, traced, fan, skyline, scene, pose):
-    """Put clouds and foreground before the view; give the light and the share of each pixel that is covered."""
+    """Put clouds and foreground in front of the view; return the light and the share of each pixel covered."""
     cover = np.zeros(traced.tangent.shape, np.float32)
     if scene.clouds in ("lid", "fog", "valley"):
         ridge = np.interp(traced.turn_deg, fan.azimuth_deg - pose.heading_deg, fan.highest[:, -1])

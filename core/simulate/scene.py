@@ -1,4 +1,4 @@
-"""What a simulated photograph shall look like: light, weather, ground cover, foreground, camera faults."""
+"""The appearance of a simulated photograph: light, weather, ground cover, foreground and camera faults."""
 
 from __future__ import annotations
 
@@ -18,30 +18,31 @@ class SceneOptions:
     Attributes
     ----------
     seed : int
-        Of everything random; the same seed gives the same picture.
+        Seed of everything random; the same seed gives the same picture.
     sun_azimuth_deg, sun_elevation_deg : float
-        Clockwise from true north, above the horizon [degrees]; see `sun_direction_deg`.
+        Azimuth clockwise from true north and elevation above the horizontal [degrees]; see `sun_direction_deg`.
     range_m : float
-        How far terrain is drawn [m].
+        Distance up to which terrain is drawn [m].
     visibility_m : float
         Meteorological visual range at sea level (contrast falls to 2 %) [m].
     snow_line_m, tree_line_m : float or None
         Elevations above which snow lies and below which forest grows [m]; None takes the shares below.
     snow_share, tree_share : float
-        Upper and lower share of the relief in view under snow and forest; beyond 0 and 1 for none and all.
+        Upper share of the relief in view under snow, and lower share under forest; values beyond 0 and 1 mean none
+        and all.
     clouds : str
-        'none'; 'behind' the ridge; 'lid', hanging in front of it over `cloud_share` of the width; 'fog', the ridge
-        all but gone; 'valley', a layer below the ridge.
+        'none'; 'behind' the ridge; 'lid', hanging in front of the ridge over `cloud_share` of the width; 'fog', which
+        hides nearly all of the ridge; 'valley', a layer below the ridge.
     cloud_share : float
         Share of the width under a lid, or of the sky behind (0 to 1).
     foreground : str
         'none', 'trees' or 'people' near the camera.
     foreground_share : float
-        Share of the width they take.
+        Share of the width that the foreground covers.
     lake_elevation_m : float or None
         Flat ground below this is water that mirrors the sky [m].
     exposure_ev : float
-        Over (+) or under (-) the automatic exposure [stops].
+        Deviation above (+) or below (-) the automatic exposure [stops].
     noise : float
         Standard deviation of the sensor's noise at mid-grey, in 8-bit steps.
     sharpening : float
@@ -51,7 +52,7 @@ class SceneOptions:
     vignetting : float
         Loss of light in the corners (0 to 1).
     texture : float
-        Contrast of the ground's texture, 1 as in nature.
+        Contrast of the ground's texture; 1 is natural.
     """
 
     seed: int = 0
@@ -85,14 +86,14 @@ class SceneOptions:
 
 
 def sun_direction_deg(longitude_deg, latitude_deg, when):
-    """Where the sun stands.
+    """Compute the position of the sun.
 
     Parameters
     ----------
     longitude_deg, latitude_deg : float
         WGS 84 [degrees].
     when : datetime
-        With a time zone; without one it is taken as UTC.
+        Time with a time zone; without one it is taken as UTC.
 
     Returns
     -------

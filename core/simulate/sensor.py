@@ -9,14 +9,14 @@ from ..base.camera import Camera
 
 
 def develop(radiance, camera: Camera, scene):
-    """Turn a linear picture into 8-bit pixels as a small camera would.
+    """Turn a linear picture into 8-bit pixels as a small camera does.
 
     Parameters
     ----------
     radiance : (H, W, 3) float32 array
         Linear red, green, blue, 0 or more.
     camera : Camera
-        For the vignetting.
+        Camera, which determines the vignetting.
     scene : SceneOptions
 
     Returns
@@ -43,7 +43,7 @@ def _blur(picture, sigma_px):
 
 
 def _vignette(camera, strength):
-    """Natural fall-off by the fourth power of the cosine, scaled to lose `strength` in the corners."""
+    """Natural fall-off with the fourth power of the cosine, scaled to lose `strength` in the corners."""
     centre_x, centre_y = camera.centre_px
     x = (np.arange(camera.width_px) - centre_x)[None, :]
     y = (np.arange(camera.height_px) - centre_y)[:, None]
@@ -52,21 +52,21 @@ def _vignette(camera, strength):
 
 
 def _exposure(picture):
-    """Gain that brings the picture's bright parts close to white and its middle to grey."""
+    """Gain that brings the bright parts of the picture close to white and its middle to grey."""
     light = picture[::4, ::4].mean(axis=-1)
     bright, middle = np.percentile(light, 97), np.exp(np.log(light + 1e-3).mean())
     return float(np.clip(0.5 * (0.85 / max(bright, 1e-3)) + 0.5 * (0.22 / middle), 0.3, 6.0))
 
 
 def _tone(linear):
-    """SRGB encoding with a shoulder for highlights and slightly raised contrast."""
+    """Apply sRGB encoding with a shoulder for highlights and slightly raised contrast."""
     shoulder = np.where(linear > 0.6, 0.6 + 0.4 * np.tanh((linear - 0.6) / 0.4), linear)
     encoded = np.clip(shoulder, 0, 1) ** (1 / 2.2)
     return (encoded + 0.10 * (encoded - 0.5) * (1 - (2 * encoded - 1) ** 2)).astype(np.float32)
 
 
 def _noise(encoded, level, generator):
-    """Photon and read noise left over by a camera's noise reduction: grain with a little blur, blotchy colour."""
+    """Photon and read noise left after a camera's noise reduction: slightly blurred grain and blotchy colour."""
     if level <= 0:
         return np.float32(0.0)
     shape = encoded.shape[:2]

@@ -25,16 +25,16 @@ TEXTURE_PERIODS_M = (9000.0, 700.0, 45.0, 3.0)
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """Terrain pixels of a view, flat.
+    """Terrain pixels of a view, as flat arrays.
 
     Attributes
     ----------
     east_m, north_m, elevation_m, distance_m : (N,) arrays
-        Place of each pixel's ground [m].
+        Position and distance of each pixel's ground [m].
     sight : (N, 3) array
         Unit vector from the ground to the eye: east, north, up.
     pixel_m : (N,) array
-        Size of the pixel's footprint across the sight line [m].
+        Size of the pixel's footprint across the line of sight [m].
     """
 
     east_m: np.ndarray
@@ -46,7 +46,7 @@ class Ground:
 
 
 def shade_ground(ground, relief, scene, sun_light, sky_light, levels):
-    """Radiance of the ground without the air in between.
+    """Compute the radiance of the ground, without the air in between.
 
     Parameters
     ----------
@@ -54,9 +54,9 @@ def shade_ground(ground, relief, scene, sun_light, sky_light, levels):
     relief : Relief
     scene : SceneOptions
     sun_light, sky_light : (3,) arrays
-        Irradiance of the sun across its rays, and of the open sky.
+        Irradiance of the sun perpendicular to its rays, and of the open sky.
     levels : (tree_line_m, snow_line_m)
-        [m].
+        Elevations of both lines [m].
 
     Returns
     -------
@@ -74,16 +74,16 @@ def shade_ground(ground, relief, scene, sun_light, sky_light, levels):
     lit = np.maximum(cosine(slope_east, slope_north, sun_vector(scene)), 0.0) * sunlit
     open_sky = (0.5 + 0.5 / np.sqrt(1 + slope_east**2 + slope_north**2)) * openness
     light = lit[:, None] * sun_light + open_sky[:, None] * sky_light
-    # Sunlit slopes light their neighbours: shadows on snow are never black.
+    # Sunlit slopes light their neighbours, so shadows on snow are never black.
     light = light + 0.10 * sun_light * 0.65 * (1 - open_sky[:, None])
     colour = albedo * light / np.pi * 2.2
     return np.where(water[:, None], _mirror(ground, value, sky_light), colour).astype(np.float32)
 
 
 def _texture(ground, footprint_m, scene):
-    """Fractal texture of the ground and the slope that it adds, over four scales.
+    """Compute the fractal texture of the ground and the slope that it adds, over four scales.
 
-    On walls the plane position hardly changes from pixel to pixel, so height shears the lookup.
+    On steep walls the plane position hardly changes from pixel to pixel, so height shears the lookup.
     """
     x = ground.east_m + 0.8 * ground.elevation_m
     y = ground.north_m - 0.5 * ground.elevation_m
@@ -94,19 +94,19 @@ def _texture(ground, footprint_m, scene):
         tile = noise_tile(9100 + 13 * scene.seed + index, 1.25, np.inf if index == 0 else 40.0)
         found = tile.sample(x / cell, y / cell, footprint_m / cell)
         value[:, index] = found[:, 0]
-        # A slope per metre: relief of this scale is about 0.4 % of the period high.
+        # A slope per metre: relief of this scale has a height of about 0.4 % of the period.
         bump += found[:, 1:] * np.float32(period * 0.004 / cell)
     return value * scene.texture, bump[:, 0] * scene.texture, bump[:, 1] * scene.texture
 
 
 def _cover(ground, steep, slope_north, value, scene, levels):
-    """Albedo, roughness of the relief, and where water lies."""
+    """Albedo, roughness of the relief, and the water mask."""
     tree_line, snow_line = levels
     wide, middle, fine, near = value.T
     height = ground.elevation_m
     angle = np.degrees(np.arctan(steep)) + 4 * middle + 2.5 * fine
     patchy = 120 * wide + 70 * middle + 30 * fine
-    # Sunny slopes carry trees and bare ground higher up; the shady side keeps its snow.
+    # On sunny slopes trees and bare ground reach higher; shady slopes keep their snow.
     sunny = np.clip(slope_north / np.sqrt(1 + steep**2), -1, 1) * 150
     strata = np.sin((height + 40 * middle + 300 * wide) / 23.0) * 0.12
     rock = _mix(ROCK, WARM_ROCK, smoothstep(-1.2, 1.2, wide + 0.5 * middle))
@@ -132,7 +132,7 @@ def _cover(ground, steep, slope_north, value, scene, levels):
 
 
 def _mirror(ground, value, sky_light):
-    """Water: the darker the steeper one looks down, with ripples (Schlick's approximation)."""
+    """Water surface: darker the steeper the view down, with ripples (Schlick's approximation)."""
     reflect = 0.02 + 0.98 * (1 - np.clip(ground.sight[:, 2], 0, 1)) ** 5
     ripple = 1 + 0.08 * value[:, 2] + 0.08 * value[:, 3]
     return WATER * 0.5 + (reflect * ripple)[:, None] * sky_light * 0.6
@@ -147,14 +147,14 @@ LIGHT_GRID = 900
 
 
 class Relief:
-    """What light needs to know of the terrain.
+    """The properties of the terrain that determine its lighting.
 
     Parameters
     ----------
     patch : TerrainPatch
     frame : LocalFrame
     scene : SceneOptions
-        For the sun.
+        Scene, which gives the sun's direction.
     """
 
     def __init__(self, patch, frame, scene):
@@ -177,14 +177,14 @@ class Relief:
         Parameters
         ----------
         east_m, north_m : (N,) arrays
-            [m].
+            Positions [m].
 
         Returns
         -------
         slope_east, slope_north : (N,) float32 arrays
             Interpolated, so that cells do not show as facets.
         sunlit : (N,) float32 array
-            Share of the sun's disc that the terrain towards it leaves free.
+            Share of the sun's disc that terrain does not cover.
         openness : (N,) float32 array
             How open the place is to the sky: valleys are darker than crests.
         """
@@ -227,10 +227,10 @@ def _slopes(patch, frame):
 
 
 def _shadow(elevation, cell_m, jacobian, thin, scene):
-    """Height up to which each cell lies in shadow, and of the penumbra above it [m].
+    """Compute the height up to which each cell lies in shadow, and that of the penumbra above it [m].
 
-    The shadow's height is a running maximum towards the sun; doubling the stride reaches across the whole patch in
-    a few shifts.
+    The shadow's height is a running maximum towards the sun; doubling the stride reaches across the whole patch in a
+    few shifts.
     """
     azimuth = np.radians(scene.sun_azimuth_deg)
     drop_m = cell_m * np.tan(np.radians(np.clip(scene.sun_elevation_deg, 1.0, 89.0)))
@@ -240,10 +240,10 @@ def _shadow(elevation, cell_m, jacobian, thin, scene):
     while reach <= max(elevation.shape) and reach * drop_m < 2 * span:
         highest = np.maximum(highest, _towards(highest, step * reach) - np.float32(reach * drop_m))
         reach *= 2
-    # The nearest cells only tell that a slope turns away from the sun, which its normal says without blots.
+    # The nearest cells only show that a slope faces away from the sun, which its normal shows without blotches.
     return _towards(highest, step * 2) - np.float32(2 * drop_m), drop_m + 15.0
 
 
 def _towards(field, step):
-    """Bring to every cell what lies (cols, rows) `step` away from it."""
+    """Return, for every cell, the value that lies (cols, rows) `step` away from it."""
     return ndimage.shift(field, (-step[1], -step[0]), order=1, mode="constant", cval=-1e5)

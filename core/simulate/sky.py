@@ -14,10 +14,10 @@ MOLECULAR_SCALE_M = 8000.0
 
 
 def sun_light(sun_elevation_deg):
-    """Irradiance of the sun after its way through the air (3,); red and weak when it stands low."""
+    """Irradiance of the sun after its path through the air (3,); red and weak if the sun is low."""
     elevation = max(sun_elevation_deg, 0.2)
     air_mass = 1 / (np.sin(np.radians(elevation)) + 0.50572 * (elevation + 6.07995) ** -1.6364)  # Kasten, Young 1989
-    # A photograph's white balance takes half of the reddening away.
+    # The white balance of a photograph removes half of the reddening.
     risen = smoothstep(-1.5, 1.5, sun_elevation_deg)
     return risen * np.array([1.0, 0.97, 0.92]) * 2.6 * np.exp(-air_mass * np.array([0.035, 0.06, 0.105]))
 
@@ -29,7 +29,10 @@ def sky_light(sun_elevation_deg):
 
 
 def daylight(scene):
-    """Irradiance of the sun across its rays and of the sky on level ground, two (3,) arrays; grey under cloud."""
+    """Irradiance of the sun perpendicular to its rays and of the sky on level ground, two (3,) arrays.
+
+    Both are grey under cloud.
+    """
     sun, sky = sun_light(scene.sun_elevation_deg), sky_light(scene.sun_elevation_deg)
     if scene.clouds not in ("behind", "lid", "fog"):
         return sun, sky
@@ -39,7 +42,7 @@ def daylight(scene):
 
 
 def sky_radiance(turn_deg, tangent, scene, heading_deg):
-    """Clear sky of every pixel.
+    """Compute the radiance of the clear sky at every pixel.
 
     Parameters
     ----------
@@ -88,17 +91,17 @@ def air_light(turn_deg, scene, heading_deg):
 
 
 def transmission(distance_m, eye_m, target_m, visibility_m):
-    """Share of light that comes through the air, per colour.
+    """Compute the share of light that passes through the air, per colour.
 
     Parameters
     ----------
     distance_m : (N,) array
-        [m].
+        Ground distance [m].
     eye_m : float
     target_m : (N,) array
         Elevations of both ends [m]; air thins exponentially upwards.
     visibility_m : float
-        At sea level; contrast there falls to 2 % (Koschmieder 1924).
+        Visual range at sea level, at which contrast falls to 2 % (Koschmieder 1924) [m].
 
     Returns
     -------
@@ -149,7 +152,7 @@ def clouds_behind(turn_deg, tangent, scene):
     """
     elevation = np.degrees(np.arctan(tangent))
     tile = noise_tile(7300 + scene.seed, 1.5)
-    # Clouds lie flat: seen low, they crowd and stretch sideways.
+    # Clouds are flat: seen at a low angle, they crowd together and stretch sideways.
     depth = 28.0 / (np.maximum(elevation, 0.0) + 7.0)
     wisps = tile.sample(turn_deg * 1.6 * depth / 3 + 40, 45 * depth)[..., 0]
     heaps = tile.sample(turn_deg * 2.2, elevation * 5.5)[..., 0]
@@ -165,7 +168,7 @@ def clouds_behind(turn_deg, tangent, scene):
 
 
 def clouds_before(turn_deg, tangent, ridge_tangent, distance_m, elevation_m, scene):
-    """Opacity of cloud between the eye and the terrain.
+    """Compute the opacity of cloud between the eye and the terrain.
 
     Parameters
     ----------
@@ -174,14 +177,14 @@ def clouds_before(turn_deg, tangent, ridge_tangent, distance_m, elevation_m, sce
     ridge_tangent : (H, W) array
         Tangent of the skyline above or below each pixel.
     distance_m, elevation_m : (H, W) arrays
-        Of the ground seen; inf and NaN for sky.
+        Distance and elevation of the ground seen; inf and NaN for sky.
     scene : SceneOptions
 
     Returns
     -------
     opacity : (H, W) float32 array
     bright : (H, W) float32 array
-        0 shaded to 1 sunlit.
+        From 0, shaded, to 1, sunlit.
     """
     tile = noise_tile(8300 + scene.seed, 1.45)
     rough = tile.sample(turn_deg * 3.1, np.degrees(tangent) * 6.0)[..., 0]

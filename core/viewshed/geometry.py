@@ -1,7 +1,7 @@
-r"""A quarter of the view as a sweep sees it: lines of cells moving away from the observer, crossed by straight rays.
+r"""One quarter of the view as the sweep processes it: lines of cells, outwards from the observer, crossed by rays.
 
-In each quarter the lines are whole rows (or columns) of the raster and a cell has two coordinates, `k` lines away
-and `j` cells along its line, both counted from the observer::
+In each quarter the lines are whole rows (or columns) of the raster. A cell has two coordinates, `k` lines away and
+`j` cells along its line, both counted from the observer::
 
         ray of constant u                 w = j / k   where the cell is on its line
           \\      | k                      u           the ray (a geodesic) that meets the cell
@@ -10,7 +10,7 @@ and `j` cells along its line, both counted from the observer::
              \\   |                        plane frames:   u = w,  d = k |inverse Jacobian (w, 1)|
               observer
 
-In every other CRS a geodesic bends a little against the grid and the scale drifts. Both are smooth, so they are
+In every other CRS a geodesic bends slightly against the grid and the scale drifts. Both are smooth, so they are
 tabulated from the `LocalFrame` on a coarse grid: `u = w + bend(w, k)` and `d = k rho(w) (1 + stretch(w, k))`.
 """
 
@@ -31,12 +31,12 @@ NODES = 65
 """Nodes of the tables per side."""
 
 NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-5
-"""Rays that bend by less at the far end, over a grid whose scale drifts by less, are taken for straight."""
+"""Rays that bend by less than this at the far end, over a grid whose scale drifts by less, count as straight."""
 
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """A smooth function over (k, w) on regular nodes; zero where `values` is None.
+    """A smooth function over (k, w) on regular nodes; zero if `values` is None.
 
     Attributes
     ----------
@@ -81,22 +81,22 @@ class Table:
 
 @dataclass(frozen=True, eq=False)
 class Quarter:
-    """Geometry of one quarter of the view.
+    """The geometry of one quarter of the view.
 
     Attributes
     ----------
     by_rows : bool
-        Lines are rows of the raster (north and south quarters of a usual one), else columns.
+        The lines are rows of the raster (north and south quarters of a usual raster), else columns.
     sign : int
-        +1 where the lines' row (column) numbers grow with the distance, else -1.
+        +1 if the lines' row (column) numbers grow with the distance, else -1.
     origin_line, origin_along : float
-        The observer across and along the lines [pixels of the whole raster].
+        Position of the observer across and along the lines [pixels of the whole raster].
     to_metres : (2, 2) array
         (j, k) -> (east, north) near the observer [m/pixel].
     bend, stretch : Table
-        Over (k, w) of cells; see the module.
+        Tables over (k, w) of cells; see the module.
     ray_bend, ray_stretch : Table
-        The same seen from the ray: w = u + ray_bend(u, k), d = k rho(u) (1 + ray_stretch(u, k)).
+        The same tables as seen from the ray: w = u + ray_bend(u, k), d = k rho(u) (1 + ray_stretch(u, k)).
     side_m : (along, line) floats
         Ground size of the observer's cell [m].
     w_limit : float
@@ -121,7 +121,7 @@ class Quarter:
 
     @property
     def plane(self):
-        """Whether rays are straight and the scale constant."""
+        """Return whether rays are straight and the scale is constant."""
         return self.bend.values is None
 
     def rho_m(self, w):
@@ -135,7 +135,7 @@ class Quarter:
         return np.degrees(np.arctan2(a * u + b, c * u + d))
 
     def owns(self, j, k):
-        """Whether cells belong to this quarter: every cell but the observer's own point belongs to exactly one."""
+        """Return whether cells belong to this quarter; every cell except the observer's own belongs to exactly one."""
         across, away = np.abs(j) * self.side_m[0], k * self.side_m[1]
         return across <= away if self.by_rows else across < away
 
@@ -146,12 +146,12 @@ class Quarter:
 
 
 def shares(k):
-    """Where each of the distances lies between the first (0) and the last (1): float32."""
+    """Position of each distance between the first (0) and the last (1): float32."""
     return ((k - k[0]) / max(k[-1] - k[0], 1e-9)).astype(np.float32)
 
 
 def quarters(frame, k_max, touches=None):
-    """Lay the four quarters around a frame's observer.
+    """Set up the four quarters around a frame's observer.
 
     Parameters
     ----------
@@ -159,7 +159,8 @@ def quarters(frame, k_max, touches=None):
     k_max : dict
         Farthest line of each quarter, keyed by (by_rows, sign) [lines]; quarters with less than one are left out.
     touches : callable or None
-        As of a sector: quarters none of whose azimuths it touches are left out, which spares their tables.
+        The sector's `touches`: quarters in which it touches no azimuth are left out, which saves computing their
+        tables.
 
     Returns
     -------
@@ -289,8 +290,8 @@ def held_places(whole, first, last):
         Whether any had to be held.
     """
     ends = whole[:, [0, -1]]
-    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them grow backwards by one
-        index = whole.astype(np.int32).astype(np.intp)  # half the time that it takes at once
+    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them decrease by one
+        index = whole.astype(np.int32).astype(np.intp)  # half the time of a single conversion
         index += first
         return index, False
     index = whole.astype(np.intp)

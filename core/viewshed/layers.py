@@ -1,7 +1,7 @@
-"""Beyond seen and not seen: distance, elevation angle, clearance and place in the photograph of every cell.
+"""More than visible or hidden: distance, elevation angle, clearance and image position of every cell.
 
-Distance, angle and place follow from the geometry alone and are computed piece by piece; the clearance needs the
-lines of sight and so a sweep of its own, in which no hidden ground can be skipped.
+Distance, angle and image position follow from the geometry alone and are computed piece by piece. The clearance needs
+the lines of sight and therefore a sweep of its own, in which no hidden ground can be skipped.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from .viewshed import ViewshedOptions, viewshed
 TILE_ROWS = 256
 
 LAYERS = ("m", "degrees", "m", "px", "px")
-"""Units of what `sector_layers` gives: distance, elevation angle, height above the line of sight, and column and row in
-the photograph, where there is one."""
+"""Units of the layers of `sector_layers`: distance, elevation angle, height above the line of sight, and column and row
+in the photograph, if there is one."""
 
 NOTHING_BETWEEN_M = 9999.0
-"""Height above the line of sight of cells next to the eye, before which no ground lies [m]."""
+"""Height above the line of sight of cells next to the eye, which no ground obstructs [m]."""
 
 
 class ClearanceSink(ArraySink):
-    """Height of each cell, target height included, above the line of sight that passes it [m].
+    """Height of each cell, target height included, above the line of sight that passes over it [m].
 
-    Negative: so much higher must the target be to be seen. NaN where the DEM has no data, huge where nothing lies
-    between, exactly 0 where the cell is outside range or sector.
+    A negative value is the height by which the target must rise to be seen. NaN where the DEM has no data, huge where
+    nothing lies between, exactly 0 where the cell is outside the range or the sector.
     """
 
     def __init__(self, window):
@@ -41,12 +41,12 @@ class ClearanceSink(ArraySink):
 
 
 def clearance(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Height of cells above (+) or below (-) their line of sight.
+    """Compute the height of cells above (+) or below (-) their line of sight.
 
     Parameters
     ----------
     terrain, observer, sector, options, progress
-        As for `viewshed`. A sector is followed in azimuth only, and with a margin of a few rays.
+        As for `viewshed`. Only the azimuths of a sector count, with a margin of a few rays.
 
     Returns
     -------
@@ -57,21 +57,21 @@ def clearance(terrain, observer, sector=FullCircle(), options=ViewshedOptions(),
 
 
 def layers(terrain, seen, photo=None):
-    """Geometry of the cells of a viewshed's window, strip by strip.
+    """Compute the geometry of the cells of a viewshed's window, strip by strip.
 
     Parameters
     ----------
     terrain : Terrain
     seen : Viewshed
     photo : PosedPhoto or None
-        For the place in the photograph.
+        Photograph whose pixel positions are added, if any.
 
     Yields
     ------
     window : Window
         A strip of the raster.
     values : dict of (rows, cols) float32 arrays
-        'distance_m'; 'azimuth_deg'; 'elevation_deg', the angle under which the target on the cell appears; with
+        'distance_m'; 'azimuth_deg'; 'elevation_deg', the angle at which the target on the cell appears; with
         a photograph 'column_px' and 'row_px', NaN behind the camera. NaN where the DEM has no data.
     """
     window, frame, options = seen.window, seen.frame, seen.options
@@ -97,16 +97,16 @@ def layers(terrain, seen, photo=None):
 
 
 def sector_layers(terrain, seen, lifted, photo=None):
-    """Layers of the cells that lie in a viewshed's sector and range, seen or not, strip by strip.
+    """Compute the layers of the cells in a viewshed's sector and range, visible or not, strip by strip.
 
     Parameters
     ----------
     terrain : Terrain
     seen : Viewshed
     lifted : Viewshed
-        Of `clearance`, for the same window.
+        Result of `clearance` for the same window.
     photo : PosedPhoto or None
-        For the place in the photograph.
+        Photograph whose pixel positions are added, if any.
 
     Yields
     ------
@@ -120,7 +120,7 @@ def sector_layers(terrain, seen, lifted, photo=None):
         distance = values["distance_m"]
         first = strip.row - seen.window.row
         above = np.minimum(lifted.values[first : first + strip.rows], np.float32(NOTHING_BETWEEN_M))
-        above[above == 0] = np.nan  # beside the sweep's own margin of the sector, or the eye's own cell
+        above[above == 0] = np.nan  # in the sweep's own margin around the sector, or the eye's own cell
         with np.errstate(invalid="ignore"):
             inside = (distance >= options.min_distance_m) & (distance <= options.max_distance_m)
         inside[inside] = sector.accepts(
@@ -132,7 +132,7 @@ def sector_layers(terrain, seen, lifted, photo=None):
 
 
 def terrain_share(camera, pose, horizon, grid=64):
-    """Share of the photograph's frame that the DEM explains as ground.
+    """Compute the share of the photograph's frame that the DEM explains as ground.
 
     Parameters
     ----------
@@ -145,9 +145,9 @@ def terrain_share(camera, pose, horizon, grid=64):
     Returns
     -------
     terrain : float
-        Share of the pixels that look below the DEM's horizon.
+        Share of the pixels that point below the DEM's horizon.
     unknown : float
-        Share of the pixels above it where the horizon is unknown, clipped or void: there may be ground.
+        Share of the pixels above it where the horizon is unknown, clipped or void, so that there may be ground.
     """
     x = (np.arange(grid) + 0.5) / grid * camera.width_px - 0.5
     y = (np.arange(grid) + 0.5) / grid * camera.height_px - 0.5

@@ -1,9 +1,9 @@
-"""How probable it is that a photograph shows a cell, given what is not known exactly.
+"""The probability that a photograph shows a cell, given the errors of pose, position and DEM.
 
-Two independent questions. *Can the cell be seen from there?* The sweep gives its clearance, the height above the line
-of sight; an error of the DEM turns the sharp answer into a normal probability, and a few sweeps from places around
-the camera's position average over the position's error. *Does it lie in the frame?* Samples of heading, pitch, roll
-and focal length are projected with the cells' directions, which stay the same: no sweep is repeated for them.
+There are two independent questions. *Can the cell be seen from there?* The sweep gives its clearance, the height above
+the line of sight. An error of the DEM turns the sharp answer into a normal probability, and a few sweeps from places
+around the camera's position average over the position's error. *Does it lie in the frame?* Samples of heading, pitch,
+roll and focal length are projected with the cells' directions, which stay the same: no sweep is repeated for them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class SampleOptions:
     Attributes
     ----------
     frames : int
-        Samples of pose and focal length.
+        Number of samples of pose and focal length.
     seed : int
     """
 
@@ -56,7 +56,7 @@ class VisibilityProbability:
     values : (rows, cols) float32 array
         0 to 1; NaN where the DEM has no data.
     cell_area_m2 : float
-        Of a cell at the observer [m2].
+        Area of a cell at the observer [m2].
     """
 
     window: Window
@@ -64,7 +64,7 @@ class VisibilityProbability:
     cell_area_m2: float
 
     def area_m2(self, level):
-        """Ground with at least this probability [m2]."""
+        """Area of the ground with at least this probability [m2]."""
         with np.errstate(invalid="ignore"):
             return float((self.values >= level).sum() * self.cell_area_m2)
 
@@ -79,13 +79,13 @@ class VisibilityProbability:
 def visibility_probability(
     terrain, photo, options=ViewshedOptions(), sampling=SampleOptions(), progress=SILENT  # noqa: B008 - frozen
 ):  # fmt: skip
-    """Carry the uncertainty of a photograph's orientation into the ground that it shows.
+    """Propagate the uncertainty of a photograph's pose to the ground that it shows.
 
     Parameters
     ----------
     terrain : Terrain
     photo : PosedPhoto
-        With its uncertainty, of which the error of the eye's elevation is not used: it moves all lines of sight
+        Photograph with its uncertainty. The error of the eye's elevation is not used: it moves all lines of sight
         together, and the error of the DEM stands for it.
     options : ViewshedOptions
     sampling : SampleOptions
@@ -98,7 +98,7 @@ def visibility_probability(
     Raises
     ------
     ObserverOutsideDemError, NoElevationAtObserverError, UnusableDemError
-        For the stated position; shifted positions off the DEM are left out.
+        Raised for the stated position only; shifted positions off the DEM are left out.
     """
     samples = _frame_samples(photo, sampling)
     sector = _sector(photo, samples)
@@ -117,19 +117,19 @@ def visibility_probability(
 
 
 def _sector(photo, samples):
-    """Wedge that holds the frame with its errors of heading and focal length, and all samples of it."""
+    """Wedge that holds the frame with its errors of heading and focal length, and all samples of the frame."""
     uncertainty = photo.uncertainty
     start, width = PhotoFrame(photo.camera, photo.pose).azimuth_range_deg
     middle = start + width / 2
     half = width / 2 + 3 * float(np.hypot(uncertainty.heading_deg, width / 2 * uncertainty.focal_relative))
-    for sample in samples:  # a corner that rolls outwards lies beside the level frame
+    for sample in samples:  # a corner that rolls outwards lies outside the level frame
         start, width = PhotoFrame(*sample).azimuth_range_deg
         half = max(half, abs(float(difference(start + width / 2, middle))) + width / 2)
     return Wedge(middle % 360, min(2 * half, 360.0))
 
 
 def _seen(terrain, photo, sector, options, progress):
-    """Probability that each cell can be seen at all: (window, probability, frame, eye elevation)."""
+    """Compute the probability that each cell can be seen at all: (window, probability, frame, eye elevation)."""
     uncertainty = photo.uncertainty
     places = _positions(photo.observer, uncertainty.position_m)
     total = weight = None
@@ -143,7 +143,7 @@ def _seen(terrain, photo, sector, options, progress):
             continue
         try:
             other = viewshed(terrain, place, sector, options, part, sink)
-        except ObserverError:  # a shifted place may fall off the DEM or into a void
+        except ObserverError:  # a shifted position may lie off the DEM or in a void
             continue
         _accumulate(total, window, _probability(other.values, uncertainty.dem_m), other.window)
         weight += 1
@@ -155,7 +155,7 @@ def _positions(observer, sigma_m):
     """The stated position and four around it, whose mean and variance are those of the error."""
     if sigma_m == 0:
         return [observer]
-    step = sigma_m * np.sqrt(2.5)  # four of five places carry the variance
+    step = sigma_m * np.sqrt(2.5)  # four of the five positions carry the variance
     north = np.degrees(step / 6_371_000.0)
     east = north / max(np.cos(np.radians(observer.latitude_deg)), 1e-3)
     shifts = (0, 0), (east, 0), (-east, 0), (0, north), (0, -north)
@@ -168,7 +168,7 @@ def _positions(observer, sigma_m):
 def _probability(clearance, dem_m):
     """Probability that a cell stands above its line of sight, in the clearance's own memory.
 
-    NaN stays, 0 (not asked) stays 0.
+    NaN stays NaN, and 0 (outside the sector) stays 0.
     """
     for first in range(0, len(clearance), TILE_ROWS):
         strip = clearance[first : first + TILE_ROWS]
@@ -181,7 +181,7 @@ def _probability(clearance, dem_m):
 
 
 def _accumulate(total, window, other, other_window):
-    """Add the part of another window's values that lies in this one."""
+    """Add the part of another window's values that lies in this window."""
     top, left = max(window.row, other_window.row), max(window.col, other_window.col)
     bottom = min(window.row + window.rows, other_window.row + other_window.rows)
     right = min(window.col + window.cols, other_window.col + other_window.cols)
@@ -193,7 +193,7 @@ def _accumulate(total, window, other, other_window):
 
 
 def _frame_samples(photo, sampling):
-    """Cameras and poses drawn from the errors, in pairs of opposite sign so that their mean is exact."""
+    """Draw cameras and poses from the errors, in pairs of opposite sign so that their mean is exact."""
     camera, pose, uncertainty = photo.camera, photo.pose, photo.uncertainty
     half = -(-sampling.frames // 2)
     draw = np.random.default_rng(sampling.seed).standard_normal((half, 4))

@@ -1,4 +1,4 @@
-"""What part of the view counts: all of it, a wedge around the heading, or the photograph's true frame."""
+"""The part of the view that counts: the full circle, a wedge around the heading, or the photograph's true frame."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from ..base.camera import Camera, Pose, in_frame, project, unproject
 
 
 class Sector:
-    """What a sweep asks of a part of the view; all sectors derive from this class.
+    """The interface of a sector of the view, as the sweep uses it; all sectors derive from this class.
 
     Attributes
     ----------
     selective : bool
-        Some directions do not lie in it.
+        Some directions lie outside the sector.
     azimuth_only : bool
-        The azimuth alone decides.
+        Only the azimuth decides.
     includes_observer : bool
-        The observer's own cell lies in it.
+        The observer's own cell lies in the sector.
     gives_marks : bool
-        The sweep asks `marks` about each cell, and not `accepts`.
+        The sweep calls `marks` for each cell, and not `accepts`.
     azimuth_range_deg : (float, float)
-        First azimuth and width of a wedge that holds it [degrees].
+        First azimuth and width of a wedge that contains the sector [degrees].
     """
 
     selective, azimuth_only = True, False
@@ -33,25 +33,25 @@ class Sector:
     azimuth_range_deg = (0.0, 360.0)
 
     def touches(self, azimuth_deg, margin_deg):
-        """Tell which azimuths lie in the sector, or within a margin of it [degrees]."""
+        """Return which azimuths lie in the sector, or within a margin of it [degrees]."""
         raise NotImplementedError
 
     def accepts(self, azimuth_deg, elevation_deg, distance_m):
-        """Tell which directions lie in the sector.
+        """Return which directions lie in the sector.
 
         Parameters
         ----------
         azimuth_deg : array
-            True [degrees].
+            True azimuths [degrees].
         elevation_deg : array or None
-            Apparent elevation angle, NaN where the terrain is unknown; None where `azimuth_only` [degrees].
+            Apparent elevation angles, NaN where the terrain is unknown; None if `azimuth_only` [degrees].
         distance_m : array or None
-            Ground distance; None where `azimuth_only` [m].
+            Ground distances; None if `azimuth_only` [m].
         """
         raise NotImplementedError
 
     def marks(self, azimuth_deg, elevation_deg, distance_m):
-        """Give bits to add to the values of cells in these directions, 0 for those outside: uint32.
+        """Return the bits to add to the values of cells in these directions, 0 for those outside: uint32.
 
         Parameters
         ----------
@@ -63,7 +63,7 @@ class Sector:
 
 @dataclass(frozen=True)
 class FullCircle(Sector):
-    """Everything around the observer."""
+    """All directions around the observer."""
 
     selective, azimuth_only = False, True
 
@@ -78,7 +78,7 @@ class FullCircle(Sector):
 
 @dataclass(frozen=True)
 class Wedge(Sector):
-    """Azimuths within half the width of the heading, edges included.
+    """Azimuths within half the width of the heading, including the edges.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ class Wedge(Sector):
 
     def accepts(self, azimuth_deg, elevation_deg, distance_m):
         """See `Sector.accepts`."""
-        # The tenth of a microdegree keeps cells that lie on an edge inside it whatever the rounding.
+        # A tolerance of a tenth of a microdegree keeps cells on an edge inside, whatever the rounding.
         return in_wedge(azimuth_deg, self.heading_deg, self.width_deg + 2e-7)
 
 
@@ -119,11 +119,11 @@ class PhotoFrame(Sector):
     Attributes
     ----------
     camera : Camera
-        Of the full upright picture.
+        Camera of the full upright picture.
     pose : Pose
     skyline_row_px : (width_px,) array or None
-        First ground row per column of the full picture, NaN where not known. Ground that would appear above it is
-        hidden in the photograph by something the DEM does not know (or the pose is not that good): not claimed.
+        First ground row of each column of the full picture, NaN if unknown. Ground that would appear above it is not
+        claimed: something that the DEM does not contain hides it in the photograph, or the pose is inaccurate.
     tolerance_px : float
         Ground may appear this far above the skyline [pixels].
     """
@@ -147,7 +147,7 @@ class PhotoFrame(Sector):
         border_x = np.concatenate([x, x, np.full(200, -0.5), np.full(200, width)])
         border_y = np.concatenate([np.full(200, -0.5), np.full(200, height), y, y])
         azimuth, _ = unproject(self.camera, self.pose, border_x, border_y)
-        for elevation in (-90.0, 90.0):  # a frame that holds the zenith or nadir sees all azimuths
+        for elevation in (-90.0, 90.0):  # a frame that contains the zenith or nadir covers all azimuths
             if in_frame(self.camera, *project(self.camera, self.pose, self.pose.heading_deg, elevation)):
                 return self.pose.heading_deg, 180.0
         turn = difference(azimuth, self.pose.heading_deg)
@@ -175,23 +175,23 @@ class PhotoFrame(Sector):
 
 
 LEAST_CONFIDENCE = 0.5
-"""Columns of an extracted skyline that are less sure limit nothing."""
+"""Columns of an extracted skyline with less confidence set no limit."""
 
 
 def skyline_rows(column_px, row_px, confidence, width_px):
-    """Bring a skyline to one row per column of the full picture, as `PhotoFrame.skyline_row_px` wants it.
+    """Convert a skyline to one row per column of the full picture, as `PhotoFrame.skyline_row_px` needs it.
 
     Parameters
     ----------
     column_px, row_px, confidence : (N,) arrays
-        Of the extracted skyline, on the full upright picture [pixels]; confidence 0 to 1.
+        The extracted skyline, on the full upright picture [pixels]; confidence 0 to 1.
     width_px : int
-        Of the picture [pixels].
+        Width of the picture [pixels].
 
     Returns
     -------
     (width_px,) array
-        [pixels]; NaN where the line is unknown, or less sure than `LEAST_CONFIDENCE`.
+        Rows [pixels]; NaN where the line is unknown or its confidence is below `LEAST_CONFIDENCE`.
     """
     column, row, sure = (np.asarray(values, float) for values in (column_px, row_px, confidence))
     order = np.argsort(column, kind="stable")

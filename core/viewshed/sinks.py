@@ -1,4 +1,4 @@
-"""Viewsheds of hundreds of millions of cells in memory: two bits per cell."""
+"""Viewsheds of hundreds of millions of cells in memory, at two bits per cell, and counts over many viewsheds."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from ..base.viewed import UNKNOWN, VISIBLE, Sink
 
 
 class PackedSink(Sink):
-    """Collects the sweep's results in two bits per cell, and gives them back piece by piece.
+    """Collects the sweep's results in two bits per cell, and returns them piece by piece.
 
-    Serves in place of the array of values where that is only ever cut into pieces: ``values[rows, cols]`` with two
-    slices is a uint8 array as in `Viewshed.values`.
+    It replaces the array of values if that array is only ever cut into pieces: ``values[rows, cols]`` with two slices
+    is a uint8 array as in `Viewshed.values`.
     """
 
     CODES = np.array([0, VISIBLE, UNKNOWN, UNKNOWN], np.uint8)
@@ -23,7 +23,7 @@ class PackedSink(Sink):
 
     @property
     def values(self):
-        """The sink itself, which reads like an array."""
+        """The sink itself, which can be indexed like an array."""
         return self
 
     def add(self, window, values):
@@ -55,7 +55,7 @@ class PackedSink(Sink):
         return self.CODES[codes[:, start % 4 : start % 4 + end - start]]
 
     def read(self, window):
-        """Values of a window of the raster that lies within the sink's."""
+        """Values of a window of the raster that lies within the sink's window."""
         row, col = window.row - self.window.row, window.col - self.window.col
         return self[row : row + window.rows, col : col + window.cols]
 
@@ -64,12 +64,12 @@ TILE = 256
 
 
 class SeenCount:
-    """Counts on a DEM's grid.
+    """Counts, on a DEM's grid, of the photographs that see each cell.
 
     Parameters
     ----------
     shape : (rows, columns)
-        Of the DEM.
+        Shape of the DEM.
     """
 
     def __init__(self, shape):
@@ -98,13 +98,13 @@ class SeenCount:
         unknown[place] |= part == UNKNOWN
 
     def strip(self, row, rows):
-        """Counts and doubt of whole rows.
+        """Return the counts of whole rows, and which cells are in doubt.
 
         Returns
         -------
         seen : uint16 (rows, columns) array
         unknown : bool (rows, columns) array
-            Nobody sees the cell for sure, and for one photo at least it is not known.
+            No photo certainly sees the cell, and for at least one photo it is not known.
         """
         cols = self.shape[1]
         seen, unknown = np.zeros((rows, cols), np.uint16), np.zeros((rows, cols), bool)

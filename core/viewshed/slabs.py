@@ -1,4 +1,4 @@
-"""Slabs: the lines of a quarter in the order in which the sweep meets them, read a few at a time."""
+"""Slabs: the lines of a quarter in the order in which the sweep processes them, read a few at a time."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ import numpy as np
 from ..base.terrain import Window
 
 SLAB = 256
-"""Lines read at once; slabs start at its multiples, as the tiles of usual files do."""
+"""Number of lines read at once; slabs start at its multiples, as the tiles of usual files do."""
 
 
 @dataclass(frozen=True, eq=False)
 class SweptGround:
-    """What one sweep runs over.
+    """The ground that one sweep covers.
 
     Attributes
     ----------
     terrain : Terrain
     quarter : Quarter
     window : Window
-        Of the raster; nothing outside is read.
+        Part of the raster; nothing outside is read.
     k_max : float
         Distance of the quarter's last line [lines].
     """
@@ -39,9 +39,9 @@ class Slabs:
     ----------
     ground : SweptGround
     u : (R,) array
-        Rays.
+        Rays, by their coordinate u.
     open_rays : (R,) bool array
-        Those in the sector.
+        Rays that lie in the sector.
     """
 
     def __init__(self, ground, u, open_rays):
@@ -69,7 +69,7 @@ class Slabs:
         return (window.row, window.rows) if of_rows else (window.col, window.cols)
 
     def read_transient(self, lines):
-        """Cells of a slab as (lines outwards, along) and the first column, or None where no open ray passes.
+        """Cells of a slab as (lines outwards, along) and the first column, or None if no open ray passes.
 
         Reading the next slab overwrites them.
         """
@@ -90,9 +90,9 @@ class Slabs:
             self.terrain.read_into(window, place)
         else:
             values = self.terrain.read(window)
-            for row in range(0, len(values), 512):  # transposing piecewise keeps to the cache
+            for row in range(0, len(values), 512):  # transposing piecewise stays in the cache
                 place[:, row : row + 512] = values[row : row + 512].T
-        # The outer half cells belong to the raster, and a cell on its edge is judged by a ray beside the edge too.
+        # The outer half cells belong to the raster, and a cell on its edge is judged by a ray outside the edge too.
         if inner > start:
             cells[:, max(inner - start - 2, 0) : inner - start] = cells[:, inner - start, None]
         if end < stop:
@@ -100,7 +100,7 @@ class Slabs:
         return cells, start
 
     def _blank(self, rows, cols):
-        """Memory in use is taken again, as new memory costs more than the cells that come into it."""
+        """Reuse memory, as new memory costs more than the cells that are read into it."""
         if len(self._memory) < rows * cols:
             self._memory = np.empty(rows * cols, np.float32)
         return self._memory[: rows * cols].reshape(rows, cols)
@@ -117,21 +117,21 @@ class Slabs:
         )
 
     def place(self, lines, start, width):
-        """Find where a part of a slab lies on the raster.
+        """Find the position of a part of a slab on the raster.
 
         Parameters
         ----------
         lines : int array
-            Of the slab.
+            Lines of the slab.
         start, width : int
-            First cell along the lines, and how many.
+            First cell along the lines, and number of cells.
 
         Returns
         -------
         window : Window
-            Of the raster.
+            Part of the raster.
         inner : slice
-            Of the part of the slab, inside the raster's window.
+            Part of the slab that lies inside the raster's window.
         """
         first, count = self.extent(not self.quarter.by_rows)
         inner, end = max(start, first), min(start + width, first + count)
@@ -142,16 +142,16 @@ class Slabs:
 
 
 BAND = 32
-"""Lines per band and cells per block, aligned to the raster so that no way of reading it changes the result."""
+"""Lines per band and cells per block, aligned to the raster so that the result does not depend on how it is read."""
 
 LOW = np.float32(-1e25)
-"""Elevation that never obstructs and is never seen: beyond the raster's edge."""
+"""Elevation that never obstructs and is never seen, used beyond the raster's edge."""
 
 NEVER, CLOSED = np.float32(-1e9), np.float32(1e9)
-"""Tangents of a ray that nothing obstructs yet, and of one outside the sector."""
+"""Tangents of a ray that nothing obstructs yet, and of a ray outside the sector."""
 
 CHUNK = 16
-"""Rays whose minimum is taken together; a power of two."""
+"""Number of rays whose minimum is taken together; a power of two."""
 
 
 class Blocks:
@@ -160,9 +160,9 @@ class Blocks:
     Attributes
     ----------
     active : (n,) int array
-        Blocks that must be looked at.
+        Blocks that must be examined.
     first_ray, last_ray : (n,) int arrays
-        Rays that touch them, with a margin.
+        Rays that touch the blocks, with a margin.
     """
 
     def __init__(self, sweep, k, cells, start):
@@ -185,7 +185,7 @@ class Blocks:
         self.first_ray, self.last_ray = first[self.active], last[self.active]
 
     def rays(self):
-        """Open rays of the active blocks, and for every ray its place among them (or its left neighbour's)."""
+        """Open rays of the active blocks, and for every ray its position among them (or its left neighbour's)."""
         size = len(self.sweep.u)
         change = np.bincount(self.first_ray, minlength=size + 1) - np.bincount(self.last_ray + 1, minlength=size + 1)
         chosen = (np.cumsum(change)[:size] > 0) & self.sweep.open
@@ -193,7 +193,7 @@ class Blocks:
         return np.flatnonzero(chosen), np.minimum(np.maximum(compact, 0), max(int(compact[-1]) - 1, 0))
 
     def _rays_between(self, k, low, high):
-        """First and last ray that passes each block somewhere, with two to spare; may lie off the list."""
+        """First and last ray that crosses each block, with a margin of two; they may lie outside the list."""
         sweep, quarter = self.sweep, self.sweep.quarter
         u_low = np.minimum(low / k[0], low / k[-1])
         u_high = np.maximum(high / k[0], high / k[-1])
@@ -233,7 +233,7 @@ def _highest(cells):
 
 
 def range_minimum(values, first, last):
-    """Minimum of `values[first:last + 1]` for many ranges, rounded outwards to whole chunks.
+    """Compute the minimum of `values[first:last + 1]` for many ranges, rounded outwards to whole chunks.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Photographs from one place: the ground is swept once, and each photograph takes its part."""
+"""Viewsheds of photographs from one place: the ground is swept once, and each photograph takes its part."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from .sector import Sector
 from .viewshed import ViewshedOptions, mark_observer, sector_window, viewshed
 
 CODE_BITS = 8
-"""Of a cell's value, 0, 1 or 255; the bits above it tell in which sectors the cell lies."""
+"""Bits of a cell's own value, 0, 1 or 255; the bits above it record the sectors in which the cell lies."""
 
 MOST_SECTORS = 32 - CODE_BITS
-"""Swept together; more are taken in several sweeps."""
+"""Most sectors that are swept together; more sectors are divided among several sweeps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,11 +25,11 @@ class AnyOf(Sector):
     sectors: tuple
 
     gives_marks = True
-    includes_observer = False  # each sector on its own decides it
+    includes_observer = False  # each sector decides this for itself
 
     @property
     def azimuth_range_deg(self):
-        """First azimuth and width of a wedge that holds them all [degrees]; the circle where they lie apart."""
+        """First azimuth and width of a wedge that contains them all [degrees]; the full circle if they lie apart."""
         ranges = [sector.azimuth_range_deg for sector in self.sectors]
         first = ranges[0][0]
         low = min((start - first + 180) % 360 - 180 for start, _ in ranges)
@@ -50,14 +50,14 @@ class AnyOf(Sector):
 
 
 class _MarkedSink(ArraySink):
-    """Cells' values with the sectors' marks."""
+    """Values of the cells with the sectors' marks."""
 
     def __init__(self, window):
         super().__init__(window, np.uint32)
 
 
 def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
-    """Viewsheds of several photographs from one place, by one sweep.
+    """Compute the viewsheds of several photographs from one place in one sweep.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), pro
     Yields
     ------
     Viewshed
-        One per sector, in order, each whole before the next; cell for cell what `viewshed` gives for it alone.
+        One per sector, in order, each complete before the next and identical to the result of `viewshed` for it alone.
     """
     sectors = tuple(sectors)
     for first in range(0, len(sectors), MOST_SECTORS):
@@ -92,7 +92,7 @@ def _together(terrain, observer, sectors, options, progress):
 
 
 def _take(whole, number, window, values):
-    """Write the cells with one sector's mark into its own window's values."""
+    """Write the cells with one sector's mark into the values of its own window."""
     top, left = max(window.row, whole.window.row), max(window.col, whole.window.col)
     bottom = min(window.row + window.rows, whole.window.row + whole.window.rows)
     right = min(window.col + window.cols, whole.window.col + whole.window.cols)

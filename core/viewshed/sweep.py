@@ -1,12 +1,12 @@
-"""The sweep: every cell of a quarter compared once with the line of sight that passes it.
+"""The sweep: every cell of a quarter is compared once with the line of sight that passes over it.
 
-Rays leave the observer so densely that they are a cell apart at the far end. Line by line outwards, each ray is
-sampled between the two cells of the line that it passes and keeps its highest tangent so far; a cell is seen if its
-own tangent reaches that of the two rays beside it, interpolated. Nothing is marked along rays, so no cell is left out.
+Rays leave the observer so densely that they are one cell apart at the far end. Line by line outwards, each ray is
+sampled between the two cells of the line that it passes, and keeps its highest tangent so far. A cell is seen if its
+own tangent reaches that of the two rays beside it, interpolated. Nothing is marked along rays, so no cell is missed.
 
-Most terrain is hidden behind nearer ridges, and there neither cells nor rays change anything. So lines are taken in
-bands, bands are cut into blocks, and a block is looked at only if its highest cell could reach above the lowest ray
-that passes it. This drops 70 to 95 % of the work and nothing of the result.
+Most terrain is hidden behind nearer ridges, where neither cells nor rays change anything. Lines are therefore taken in
+bands, bands are cut into blocks, and a block is examined only if its highest cell could reach above the lowest ray
+that passes it. This saves 70 to 95 % of the work and changes nothing in the result.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ OUTSIDE, INSIDE, EDGE = np.uint8(0), np.uint8(1), np.uint8(2)
 
 @dataclass(frozen=True)
 class SweepOptions:
-    """What the sweep needs to know beyond geometry.
+    """The sweep's settings beyond geometry.
 
     Attributes
     ----------
@@ -36,15 +36,15 @@ class SweepOptions:
     drop_per_m2 : float
         Apparent drop over distance squared [1/m].
     target_height_m : float
-        Added to the cell that is looked at, not to what obstructs [m].
+        Height of the target above the cell; it is not added to ground that obstructs [m].
     min_distance_m, max_distance_m : float
-        Cells nearer or farther are left 0; nearer ground still obstructs [m].
+        Cells nearer or farther stay 0; nearer ground still obstructs [m].
     near_skip_cells : float
         Ground nearer than this many lines does not obstruct [cells].
     rays_per_cell : float
         Density of the rays at the far end.
     voids_block : bool
-        Cells seen across a void become unknown; otherwise voids are taken for holes in the obstruction.
+        Cells seen across a void become unknown; otherwise voids count as open air.
     """
 
     eye_m: float
@@ -59,10 +59,10 @@ class SweepOptions:
 
 @dataclass(frozen=True, eq=False)
 class _Passed:
-    """Rays of one band: (lines, rays) arrays.
+    """Rays of one band, as (lines, rays) arrays.
 
     `before`: highest tangent before each line (one row more, for after the last); `distance` [m]; `crossed`: a void
-    lies before the line, or None; `compact`: place of every ray of the quarter among these.
+    lies before the line, or None; `compact`: position of every ray of the quarter among these.
     """
 
     before: np.ndarray
@@ -112,7 +112,7 @@ class QuarterSweep:
         for part in self._bands(lines):
             used[self._sweep_band(lines[part], cells[part], start, result[part])] = True
         edges = BAND * np.flatnonzero(np.diff(used, prepend=False, append=False))
-        for first, last in zip(edges[::2].tolist(), edges[1::2].tolist()):  # all else is 0
+        for first, last in zip(edges[::2].tolist(), edges[1::2].tolist()):  # all other blocks stay 0
             window, inner = self.slabs.place(lines, start + first, last - first)
             values = result[:: self.quarter.sign, first:last][:, inner]
             self.sink.add(window, values if self.quarter.by_rows else values.T)
@@ -125,7 +125,7 @@ class QuarterSweep:
         return [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
 
     def _sweep_band(self, lines, cells, start, result):
-        """Find the blocks that matter, then sample their rays and judge their cells; give these blocks."""
+        """Find the blocks that matter, sample their rays, judge their cells, and return these blocks."""
         k = np.abs(lines - self.quarter.origin_line)
         blocks = Blocks(self, k, cells, start)
         if not len(blocks.active):
@@ -138,7 +138,7 @@ class QuarterSweep:
         return blocks.active
 
     def _sample_rays(self, k, cells, start, rays, compact):
-        """Raise the chosen rays and give what the cells of the band need of them."""
+        """Raise the running maxima of the chosen rays and return the values that the cells of the band need."""
         options = self.options
         k32 = k.astype(np.float32)[:, None]
         position = self.u[rays] * k32
@@ -201,7 +201,7 @@ class QuarterSweep:
         limit = beside(passed.before, index, ray)
         if quarter.plane:
             distance = _length(quarter.to_metres.astype(np.float32), j, k32)
-        else:  # the rays' own distances: a table of the cells' would differ in the seventh digit, and that shows
+        else:  # use the rays' own distances: a table for the cells would differ visibly, in the seventh digit
             distance = beside(passed.distance, index, ray)
         tangent = elevation + np.float32(options.target_height_m - options.eye_m)
         tangent /= distance
@@ -209,7 +209,7 @@ class QuarterSweep:
         mine = self._mine(along + start, k, distance)
         if self.sink.wants_clearance:
             value = (tangent - limit) * distance
-            value[value == 0] = TINY  # 0 is kept for cells that are not asked about
+            value[value == 0] = TINY  # 0 is reserved for cells outside the sector
             value[~mine] = 0
             self._scatter(result, active, value)
             return
@@ -241,7 +241,7 @@ class QuarterSweep:
         return mine
 
     def _select(self, asked, value, k, w, distance, tangent):
-        """Ask the sector about cells that are seen or unknown, one by one; a set of sectors leaves its marks."""
+        """Test cells that are seen or unknown against the sector, one by one; a set of sectors adds its marks."""
         line, cell = np.divmod(np.flatnonzero(asked), asked.shape[1])  # faster than np.nonzero in two dimensions
         if not len(line):
             return
@@ -265,7 +265,7 @@ class QuarterSweep:
 
 
 def _between(sector, azimuth_deg):
-    """Whether cells between a ray and the next lie outside the sector, inside, or must be asked one by one."""
+    """Return whether cells between two neighbouring rays lie outside the sector, inside, or must be tested singly."""
     inside = sector.accepts(azimuth_deg, None, None)
     if not inside.any():
         return np.full(len(inside) - 1, EDGE)

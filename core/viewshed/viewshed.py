@@ -1,7 +1,7 @@
-"""The ground that an observer, or a photograph, sees: every cell of the DEM in range, judged once.
+"""The ground that an observer, or a photograph, sees: every cell of the DEM in range is judged once.
 
-The answer lies on the DEM's own grid. Distances and directions are true ones on the ellipsoid whatever the CRS.
-See `viewshed_sweep` for the method and `docs/performance.md` for what else was tried.
+The result lies on the DEM's own grid. Distances and directions are true ones on the ellipsoid, whatever the CRS.
+See `core.viewshed.sweep` for the method and `docs/performance.md` for the alternatives that were tried.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ __all__ = [
 ]
 
 KEPT_BYTES = 30 * 2**20
-"""Memory of arrays up to this size is used again. Linux's allocator gives that of large arrays back to the system until
-it has seen an even larger one freed, and fetching it anew, page by page, takes as long as a tenth of a sweep."""
+"""Memory of arrays up to this size is reused. Linux's allocator returns the memory of large arrays to the system until
+an even larger one has been freed, and fetching it again, page by page, takes as long as a tenth of a sweep."""
 
 FRAME_MARGIN = 1.6
-"""The frame reaches this much farther than the range, as the quarters' corners do."""
+"""The frame reaches this many times farther than the range, as the quarters' corners do."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class ViewshedOptions:
     Attributes
     ----------
     target_height_m : float
-        Height above ground of what is looked at [m]; 0 asks for the ground itself.
+        Height of the target above ground [m]; 0 means the ground itself.
     min_distance_m, max_distance_m : float
         Range of distances that count [m]. Ground nearer than the minimum still obstructs.
     refraction_coefficient : float
@@ -55,11 +55,11 @@ class ViewshedOptions:
     curvature : bool
         Account for the earth's curvature and refraction.
     near_skip_cells : float
-        Ground nearer than this does not obstruct [cells]: the DEM does not know it well enough.
+        Ground nearer than this does not obstruct [cells]: the DEM does not describe it well enough.
     rays_per_cell : float
-        Rays per cell at the far end; 2 is slower and a little more exact.
+        Rays per cell at the far end; 2 is slower and slightly more exact.
     voids_block : bool
-        True: cells in view but behind cells without data are unknown (255). False: voids are taken for open air.
+        True: cells in view but behind cells without data are unknown (255). False: voids count as open air.
     """
 
     target_height_m: float = 0.0
@@ -94,7 +94,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     options : ViewshedOptions
     progress : Progress
     sink : callable
-        Makes from the window the `Sink` that takes the results, in memory or elsewhere.
+        Called with the window; returns the `Sink` that takes the results, in memory or elsewhere.
 
     Returns
     -------
@@ -123,7 +123,8 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
         options.rays_per_cell,
         options.voids_block,
     )
-    # Laid out for the whole circle whatever the sector: rays, and so results, are then the same in all of them.
+    # Set up for the full circle whatever the sector, so that the rays, and with them the results, are the same in all
+    # sectors.
     k_max = _farthest_lines(frame, sector_window(frame, terrain.shape, FullCircle(), options.max_distance_m))
     views = quarters(frame, k_max, sector.touches)
     for done, quarter in enumerate(views):
@@ -135,7 +136,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
 
 
 def photo_viewshed(terrain, photo, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen values
-    """Find the ground that a photograph shows: what its eye sees within its frame.
+    """Find the ground that a photograph shows: the ground in view from its eye that lies within its frame.
 
     Parameters
     ----------
@@ -162,10 +163,10 @@ def sector_window(frame, shape, sector, max_distance_m):
     ----------
     frame : LocalFrame
     shape : (rows, columns)
-        Of the raster, to which the rectangle is cut.
+        Shape of the raster, to which the rectangle is cut.
     sector : Sector
     max_distance_m : float
-        [m].
+        Range of the sector [m].
 
     Returns
     -------
@@ -191,14 +192,14 @@ def _farthest_lines(frame, window):
 
 
 def mark_observer(sink, frame, shape, sector, options):
-    """Mark the observer's own cell as seen: it belongs to no quarter where the observer stands on its centre.
+    """Mark the observer's own cell as seen: it belongs to no quarter if the observer stands on its centre.
 
     Parameters
     ----------
     sink : Sink
     frame : LocalFrame
     shape : (rows, columns)
-        Of the raster.
+        Shape of the raster.
     sector : Sector
     options : ViewshedOptions
     """
