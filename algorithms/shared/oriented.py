@@ -14,7 +14,7 @@ def oriented_specs():
 
 
 def oriented_values(oriented, max_distance_m):
-    """Attributes of a result in the order of `oriented_specs`, the message in the user's language; None where unknown.
+    """Attributes of a result in the order of `oriented_specs`, the message in the user's language; None if unknown.
 
     Parameters
     ----------

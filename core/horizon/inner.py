@@ -48,17 +48,6 @@ def inner_terrain(terrain, observer, options=InnerOptions(), progress=SILENT):  
     -------
     InnerTerrain
 
-    Parameters
-    ----------
-    terrain : Terrain
-    observer : Observer
-    options : InnerOptions
-    progress : Progress
-
-    Returns
-    -------
-    InnerTerrain
-
     Raises
     ------
     ObserverOutsideDemError, NoElevationAtObserverError

@@ -96,12 +96,12 @@ class Transformer:
 
 
 def from_wgs84(crs, longitude_deg, latitude_deg):
-    """Map WGS 84 positions to a CRS.
+    """Map WGS 84 positions to coordinates of a CRS.
 
     Parameters
     ----------
     crs : str
-        WKT, or what `spatial_reference` takes.
+        WKT, or any other text that GDAL understands.
     longitude_deg, latitude_deg : float or array
         [degrees].
 
@@ -115,12 +115,12 @@ def from_wgs84(crs, longitude_deg, latitude_deg):
 
 
 def to_wgs84(crs, x, y):
-    """Map places of a CRS to WGS 84.
+    """Map coordinates of a CRS to WGS 84 positions.
 
     Parameters
     ----------
     crs : str
-        WKT, or what `spatial_reference` takes.
+        WKT, or any other text that GDAL understands.
     x, y : float or array
         In the units of the CRS.
 

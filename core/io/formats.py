@@ -56,7 +56,7 @@ def check_size(path, width_px, height_px):
     Parameters
     ----------
     path : str
-        For the error.
+        File of the picture, for the message.
     width_px, height_px : int
         Size of the picture as stored or upright [pixels].
 

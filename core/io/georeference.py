@@ -15,10 +15,10 @@ def crs_of(path, dataset, crs=None):
     Parameters
     ----------
     path : str
-        For the error.
+        File of the DEM, for the message.
     dataset : osgeo.gdal.Dataset
     crs : str or None
-        Takes the place of the dataset's own.
+        CRS that replaces the dataset's own.
 
     Raises
     ------

@@ -44,7 +44,7 @@ def orientation_mark(request, dem, options):
     ----------
     request : PhotoRequest
     dem : Dem
-    options : PipelineOptions
+    options : OrientOptions
         Anything else that decides the answer, by its `repr`.
     """
     facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
@@ -78,7 +78,7 @@ def packed(oriented, mark):
     ----------
     oriented : OrientedPhoto
     mark : str
-        Of `orientation_mark`.
+        Result of `orientation_mark`.
     """
     if oriented.evidence is not None:
         oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None, rival=None))

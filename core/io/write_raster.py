@@ -148,7 +148,7 @@ class RasterFile:
         ----------
         values : (rows, cols) array
         row, col : int
-            Cell of the raster where the block begins.
+            Position of the block's first cell in the raster.
         band : int
             Counted from 1.
         """

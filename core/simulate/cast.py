@@ -187,12 +187,6 @@ def skyline_row_px(fan, camera, pose):
     camera : Camera
     pose : Pose
 
-    Parameters
-    ----------
-    fan : Fan
-    camera : Camera
-    pose : Pose
-
     Returns
     -------
     (W,) array

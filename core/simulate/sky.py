@@ -142,7 +142,7 @@ def clouds_behind(turn_deg, tangent, scene):
     turn_deg : array
         Azimuths relative to the heading [degrees].
     tangent : array
-        Of the elevation angles.
+        Tangents of the elevation angles.
     scene : Scene
 
     Returns

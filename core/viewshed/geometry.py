@@ -159,8 +159,7 @@ def quarters(frame, k_max, touches=None):
     k_max : dict
         Farthest line of each quarter, keyed by (by_rows, sign) [lines]; quarters with less than one are left out.
     touches : callable or None
-        The sector's `touches`: quarters in which it touches no azimuth are left out, which saves computing their
-        tables.
+        The sector's `touches`: quarters in which it touches no azimuth are left out, to save their tables.
 
     Returns
     -------
@@ -285,9 +284,9 @@ def held_places(whole, first, last):
     Returns
     -------
     index : (lines, N) integer array
-        `first + whole`, held in 0 to `last`.
+        `first + whole`, clamped to 0 to `last`.
     held : bool
-        Whether any had to be held.
+        Whether any had to be clamped.
     """
     ends = whole[:, [0, -1]]
     if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them decrease by one
