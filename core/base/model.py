@@ -183,7 +183,7 @@ class Orientation:
     """
 
     status: str
-    message: Message
+    message: str
     candidates: tuple[Candidate, ...] = ()
     heading_lo_deg: float | None = None
     heading_hi_deg: float | None = None

@@ -148,20 +148,7 @@ class ArrayTerrain(Terrain):
     def local_of(
         self, observer: Observer, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Local place of a position.
-
-        Parameters
-        ----------
-        observer : Observer
-            The origin.
-        longitude_deg, latitude_deg : float or array
-            WGS 84 [degrees].
-
-        Returns
-        -------
-        east_m, north_m : array
-            True east and north of the observer [m].
-        """
+        """True (east, north) of a position from an observer [m]."""
         frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
         return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
 
