@@ -13,7 +13,6 @@ import numpy as np
 
 from .answer import PhotoAnswer
 from .camera import FOCAL_SIGMA, Camera, Pose
-from .messages import Message
 
 
 @dataclass(frozen=True)
