@@ -44,7 +44,7 @@ def orientation_mark(request, dem, options):
     ----------
     request : core.batch.PhotoRequest
     dem : Dem
-    options : object
+    options : core.pipeline.OrientOptions
         All other options that affect the answer; compared by their `repr`.
     """
     facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
