@@ -115,7 +115,7 @@ NODE_CELLS = 16
 bend over kilometres."""
 
 GRAZING_COSINE = 0.02
-"""Smallest cosine of incidence used: above 88.9 degrees, the ground distance along the line of sight stays constant."""
+"""Smallest cosine used: above 88.9 degrees of incidence, the sampling distance along the line of sight is capped."""
 
 
 def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
