@@ -96,7 +96,8 @@ class ImageFeatures:
         from ...core.mapping.projecting import STATE_NAMES, Places, PlaceState, project_places
 
         x, y, _ = places_of(geometry, "point")[0]
-        places = Places(*self._local(photo, x, y), height_above_m=self.height_above_m)
+        east, north = self._local(photo, x, y)
+        places = Places(east, north, height_above_m=self.height_above_m)
         shown = project_places(self.terrain, photo.view, places, self.options)
         marks = []
         for k in range(x.size):

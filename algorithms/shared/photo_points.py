@@ -137,7 +137,7 @@ def photo_point(row, values, reading, path=None, size_px=None):
     if vfov is None and not reading.level:
         camera = None
     posed = None
-    if None not in (observer, pose, camera):
+    if observer is not None and pose is not None and camera is not None:
         posed = PosedPhoto(camera, pose, observer, _uncertainty(values, reading.uncertainty), path)
     return PhotoPoint(row.feature, row.name, path, observer, heading, hfov, vfov, posed)
 

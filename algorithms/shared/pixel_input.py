@@ -95,8 +95,7 @@ def _of_source(source):
 
 def _of_geometry(photo, label, geometry):
     kind = kind_of(geometry)
-    parts = [np.column_stack([x, y]) for x, y, _ in places_of(geometry, kind)]
-    parts = downward(parts)
+    parts = downward([np.column_stack([x, y]) for x, y, _ in places_of(geometry, kind)])
     if kind == "polygon":
         return [PixelFeature(photo, kind, tuple(open_ring(part) for part in parts), label)]
     return [PixelFeature(photo, kind, (part,), label) for part in parts]

@@ -164,7 +164,7 @@ class ResultFigures:
         longitude, latitude = np.array([(s.longitude_deg, s.latitude_deg) for s in self.stations]).T
         places = np.column_stack(self.dem.pixel_of(longitude, latitude))
         known = np.isfinite(places).all(axis=1)
-        others = [MapObserver(*place, beside=True) for place in places[known].tolist()]
+        others = [MapObserver(col, row, beside=True) for col, row in places[known].tolist()]
         timed = [(s.time_s, place) for s, place in zip(self.stations, places.tolist()) if s.time_s is not None]
         return others, way(sorted(timed)) if len(timed) > 1 else None
 

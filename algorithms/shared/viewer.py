@@ -164,7 +164,8 @@ class Viewer:
         place = job.point.observer
         frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * self.options.max_distance_m)
         eye_m = eye_elevation_m(self.dem, frame, place)
-        return Viewshed(*stored, frame, eye_m, self.options, job.sector)
+        window, values = stored
+        return Viewshed(window, values, frame, eye_m, self.options, job.sector)
 
 
 def sink_for(window):

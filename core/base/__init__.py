@@ -1,1 +1,1 @@
-"""What every room stands on: values, camera, terrain, angles, pictures, errors and progress."""
+"""Values, camera, terrain, angles, pictures, errors and progress, on which all other rooms depend."""

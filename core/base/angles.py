@@ -1,7 +1,7 @@
 """Arithmetic on compass angles.
 
-All angles are degrees, clockwise from north. *True* angles count from the meridian, *grid* angles from the
-raster's columns; they differ by the grid convergence.
+All angles are in degrees, clockwise from north. *True* angles are measured from the meridian, *grid* angles from the
+raster's columns. The two differ by the grid convergence.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ def wrap_180(angle_deg: ArrayLike) -> FloatOrArray:
 
 
 def difference(angle_deg: ArrayLike, reference_deg: ArrayLike) -> FloatOrArray:
-    """Signed turn from `reference_deg` to `angle_deg`, clockwise positive, in [-180, 180) [degrees]."""
+    """Give the signed turn from `reference_deg` to `angle_deg`, clockwise positive, in [-180, 180) [degrees]."""
     return wrap_180(np.subtract(angle_deg, reference_deg))
 
 
 def in_wedge(azimuth_deg: ArrayLike, centre_deg: ArrayLike, width_deg: ArrayLike) -> FloatOrArray:
-    """Tell which azimuths lie in a wedge, edges included, across north too.
+    """Tell which azimuths lie in a wedge, edges included; the wedge may span north.
 
     Parameters
     ----------
     azimuth_deg : float or array
-        [degrees].
+        Azimuths to test, clockwise from north [degrees].
     centre_deg, width_deg : float or array
-        Middle and full width of the wedge [degrees].
+        Middle azimuth and full width of the wedge [degrees].
 
     Returns
     -------
@@ -47,7 +47,7 @@ def in_wedge(azimuth_deg: ArrayLike, centre_deg: ArrayLike, width_deg: ArrayLike
 
 
 def true_to_grid(azimuth_deg: ArrayLike, convergence_deg: ArrayLike) -> FloatOrArray:
-    """Turn true into grid azimuths [degrees].
+    """Convert true azimuths to grid azimuths in [0, 360) [degrees].
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def true_to_grid(azimuth_deg: ArrayLike, convergence_deg: ArrayLike) -> FloatOrA
 
     Notes
     -----
-    Equation 9 of the paper *adds* its gamma here: its gamma is the grid bearing of true north, the negative of
-    the standard convergence.
+    Equation 9 of the paper *adds* its gamma here, because that gamma is the grid bearing of true north, which is the
+    negative of the standard convergence.
     """
     return wrap_360(np.subtract(azimuth_deg, convergence_deg))

@@ -1,4 +1,4 @@
-"""The facts of an oriented photograph that a caller asks for most, by their short names."""
+"""Short names for the facts of an oriented photograph that callers use most."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class PhotoAnswer:
         eye_elevation_m: float | None
 
     _repr_html_: ClassVar[Callable[..., str] | None] = None
-    """What a notebook shows. `core.api` sets it, since a drawing needs `core.figures`."""
+    """HTML that a notebook shows. `core.api` sets it, because drawing needs `core.figures`."""
 
     def __repr__(self) -> str:
         name = re.split(r"[\\/]", self.path)[-1] or "array"
@@ -44,7 +44,7 @@ class PhotoAnswer:
 
     @property
     def message(self) -> str:
-        """Why the status is what it is, and what to do, in a plain sentence."""
+        """The reason for the status, and what the user can do, in a plain sentence."""
         return self.orientation.message
 
     @property
@@ -55,19 +55,19 @@ class PhotoAnswer:
 
     @property
     def pitch_deg(self) -> float | None:
-        """Of the optical axis, up is positive [degrees]; None without an answer."""
+        """Angle of the optical axis above the horizontal, up positive [degrees]; None without an answer."""
         best = self.orientation.best
         return None if best is None else float(best.pose.pitch_deg)
 
     @property
     def roll_deg(self) -> float | None:
-        """Right side down is positive [degrees]; None without an answer."""
+        """Rotation about the optical axis, positive with the right side down [degrees]; None without an answer."""
         best = self.orientation.best
         return None if best is None else float(best.pose.roll_deg)
 
     @property
     def hfov_deg(self) -> float | None:
-        """Horizontal field of view of the upright picture [degrees]: fitted, or as recorded without an answer."""
+        """Horizontal field of view of the upright picture [degrees]: fitted, or as recorded if there is no answer."""
         return None if self.camera is None else self.camera.hfov_deg
 
     @property
@@ -78,19 +78,19 @@ class PhotoAnswer:
 
     @property
     def p_correct(self) -> float | None:
-        """Probability that the heading lies within 3 degrees of the truth; None where the method gives none."""
+        """Probability that the heading lies within 3 degrees of the truth; None if the method gives none."""
         return self.orientation.p_correct
 
     @property
     def observer(self) -> Observer | None:
-        """Where the camera stood, with the elevation of the eye; None where the position is not known."""
+        """Position of the camera, with the elevation of the eye; None if the position is not known."""
         if self.longitude_deg is None or self.latitude_deg is None:
             return None
         return Observer(self.longitude_deg, self.latitude_deg, eye_elevation_m=self.eye_elevation_m)
 
     @property
     def view(self) -> PosedPhoto | None:
-        """The photograph with its best pose, heading in [0, 360); None where no heading was found."""
+        """The photograph with its best pose, heading in [0, 360); None if no heading was found."""
         best, observer = self.orientation.best, self.observer
         if best is None or observer is None:
             return None

@@ -7,5 +7,5 @@ from typing import Any
 FloatOrArray = Any
 """A float if all arguments are floats, otherwise an array of their common shape.
 
-A union of the two would force every caller to narrow it, and one overload per combination would hide the functions.
+A union of the two would force every caller to narrow it, and one overload per combination would clutter the functions.
 """

@@ -1,4 +1,4 @@
-"""What a point of a photograph carries in a table: names, kinds and meanings of the fields, and their values.
+"""Attribute table of a photograph's point: names, kinds and meanings of the fields, and their values.
 
 QGIS layers and the files of the command line share these definitions. Names are a contract and have at most 10
 characters.
@@ -19,7 +19,7 @@ from .model import HorizonProfile, OrientedPhoto, PhotoMetadata
 
 Value = Union[str, int, float, datetime, None]
 ROTATION_OF_ORIENTATION = {1: 0, 2: 0, 3: 180, 4: 180, 5: 90, 6: 90, 7: 270, 8: 270}
-"""Turn of the stored picture by EXIF Orientation, clockwise [degrees]."""
+"""Clockwise rotation that makes the stored picture upright, by EXIF Orientation [degrees]."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class FieldSpec:
 
 
 def photo_fields(say: Callable[[str], str] = str) -> list[FieldSpec]:
-    """Fields of a photograph's own metadata: the nine of QGIS's Import geotagged photos, then ours.
+    """Fields of a photograph's own metadata: the nine of QGIS's Import geotagged photos, then those added here.
 
     `say` translates the aliases.
     """
@@ -58,7 +58,7 @@ def photo_fields(say: Callable[[str], str] = str) -> list[FieldSpec]:
 
 
 def photo_values(metadata: PhotoMetadata) -> dict[str, Value]:
-    """Values of `photo_fields` by name; None where unknown."""
+    """Give the values of `photo_fields` by name; None if unknown."""
     path = Path(metadata.path)
     camera = None
     if metadata.focal_length_35mm:
@@ -86,7 +86,7 @@ def photo_values(metadata: PhotoMetadata) -> dict[str, Value]:
 
 
 def has_position(metadata: PhotoMetadata) -> bool:
-    """Tell whether the file gives a position; 0/0 is what cameras write that have none."""
+    """Tell whether the file gives a position; cameras without one write 0/0."""
     if metadata.latitude_deg is None or metadata.longitude_deg is None:
         return False
     return not (metadata.latitude_deg == 0 and metadata.longitude_deg == 0)
@@ -123,9 +123,9 @@ def oriented_fields(say: Callable[[str], str] = str) -> list[FieldSpec]:
 
 
 def oriented_values(oriented: OrientedPhoto, max_distance_m: float) -> dict[str, Value]:
-    """Values of `oriented_fields` by name; None where unknown.
+    """Give the values of `oriented_fields` by name; None if unknown.
 
-    `max_distance_m` is the range of the run [m].
+    `max_distance_m` is the search range of the run [m].
     """
     answer, camera = oriented.orientation, oriented.camera
     pose = None if answer.best is None else answer.best.pose
@@ -162,14 +162,14 @@ def oriented_values(oriented: OrientedPhoto, max_distance_m: float) -> dict[str,
 
 
 def _text(angle_deg: float | None) -> str | None:
-    """Shortest text that gives the number back."""
+    """Give the shortest text that reads back as the same number."""
     return None if angle_deg is None else repr(float(angle_deg))
 
 
 def _view_edges(
     heading_deg: float | None, camera: Camera | None, convergence_deg: float | None
 ) -> tuple[float | None, float | None]:
-    """Grid azimuths of the view's left and right edge, as Visibility Analysis reads them [degrees]."""
+    """Give the grid azimuths of the view's left and right edge, as Visibility Analysis reads them [degrees]."""
     if heading_deg is None or camera is None or convergence_deg is None:
         return None, None
     left, right = true_to_grid(heading_deg + np.array([-0.5, 0.5]) * camera.hfov_deg, convergence_deg)
@@ -177,14 +177,14 @@ def _view_edges(
 
 
 def _compass_difference(compass_deg: float | None, heading_deg: float | None) -> float | None:
-    """Recorded minus found heading, in [-180, 180) [degrees]."""
+    """Give the recorded minus the found heading, in [-180, 180) [degrees]."""
     if compass_deg is None or heading_deg is None:
         return None
     return float(difference(compass_deg, heading_deg))
 
 
 def _horizon_distance_m(horizon: HorizonProfile | None, heading_deg: float | None) -> float | None:
-    """Distance of the horizon in the direction of the heading [m]."""
+    """Give the distance of the horizon in the direction of the heading [m]."""
     if horizon is None or heading_deg is None:
         return None
     nearest = np.abs(difference(horizon.azimuth_deg, heading_deg)).argmin()
@@ -192,14 +192,14 @@ def _horizon_distance_m(horizon: HorizonProfile | None, heading_deg: float | Non
 
 
 def _above_ground_m(oriented: OrientedPhoto) -> float | None:
-    """Height of the eye above the DEM [m]."""
+    """Give the height of the eye above the DEM [m]."""
     if oriented.eye_elevation_m is None or oriented.ground_elevation_m is None:
         return None
     return oriented.eye_elevation_m - oriented.ground_elevation_m
 
 
 def _plain(value: Value) -> Value:
-    """Give a Python value that tables store; NaN and infinity become None."""
+    """Convert to a Python value that tables can store; NaN and infinity become None."""
     if value is None or isinstance(value, str):
         return value
     number = float(value)  # type: ignore[arg-type]

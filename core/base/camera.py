@@ -1,6 +1,6 @@
-"""The exact pinhole camera: fields of view from EXIF, pose, and the way between pixels and directions.
+"""The exact pinhole camera: fields of view from EXIF, pose, and conversion between pixels and directions.
 
-Pixels count from the centre of the upright picture's first pixel, x to the right and y down::
+Pixel coordinates start at the centre of the upright picture's first pixel, with x to the right and y down::
 
         up, y_up                         north
         |   forward (optical axis)       |  heading
@@ -9,7 +9,7 @@ Pixels count from the centre of the upright picture's first pixel, x to the righ
         |/______ right, x
 
 Heading is clockwise from true north, pitch is positive upwards, roll is positive when the camera's right side is
-down (clockwise seen from behind), so that the horizon then climbs to the right in the picture.
+down (clockwise seen from behind); a positive roll makes the horizon climb to the right in the picture.
 """
 
 from __future__ import annotations
@@ -23,24 +23,24 @@ DIAGONAL_35MM = float(np.hypot(36.0, 24.0))
 """Diagonal of the 35 mm frame [mm], to which EXIF's FocalLengthIn35mmFilm refers (CIPA DCG-001, Exif 2.32)."""
 
 FOCAL_SIGMA = 0.025
-"""Relative spread of a focal length from EXIF or a person; EXIF's were found up to 4 % off."""
+"""Relative standard deviation of a focal length from EXIF or the user; EXIF values were found to be up to 4 % off."""
 
 DOUBTFUL_FOCAL_SIGMA = 0.05
-"""The same after digital zoom or a crop, and for shapes that no sensor has: which frame EXIF speaks of is unsure."""
+"""The same after digital zoom or a crop, and for shapes that no sensor has, since EXIF's frame is unclear then."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a camera looks.
+    """Direction in which a camera looks, and its roll.
 
     Attributes
     ----------
     heading_deg : float
-        Of the optical axis, clockwise from true north [degrees].
+        Azimuth of the optical axis, clockwise from true north [degrees].
     pitch_deg : float
-        Of the optical axis above (+) the horizontal [degrees].
+        Angle of the optical axis above (+) or below (-) the horizontal [degrees].
     roll_deg : float
-        About the optical axis, + with the right side down [degrees].
+        Rotation about the optical axis, + with the right side down [degrees].
     """
 
     heading_deg: float
@@ -50,18 +50,18 @@ class Pose:
 
 @dataclass(frozen=True)
 class Camera:
-    """An upright picture's size and its lens.
+    """Size of an upright picture, and its lens.
 
     Attributes
     ----------
     width_px, height_px : int
         Size of the upright picture [pixels].
     focal_px : float
-        Focal length in pixels of this picture.
+        Focal length [pixels of this picture].
     offset_x_px, offset_y_px : float
-        Principal point from the picture's centre, + right and + down [pixels].
+        Offset of the principal point from the picture's centre, + right and + down [pixels].
     k1, k2 : float
-        Radial distortion, x_distorted = x (1 + k1 r^2 + k2 r^4) with r in focal lengths (Brown 1971, as in OpenCV).
+        Radial distortion: x_distorted = x (1 + k1 r^2 + k2 r^4) with r in focal lengths (Brown 1971, as in OpenCV).
     """
 
     width_px: int
@@ -92,7 +92,7 @@ class Camera:
         return fov_of_focal_deg(self.height_px, self.focal_px)
 
     def scaled(self, width_px: int, height_px: int) -> Camera:
-        """Give the same lens for the picture resampled to another size."""
+        """Give the camera of the same picture resampled to another size [pixels]."""
         factor = width_px / self.width_px
         return replace(
             self,
@@ -105,19 +105,19 @@ class Camera:
 
 
 def fov_of_focal_deg(side_px: float, focal_px: float) -> float:
-    """Full angle of a side of `side_px` behind a pinhole of `focal_px` [degrees]."""
+    """Give the full angle that a side of `side_px` subtends at a focal length of `focal_px` [degrees]."""
     return float(np.degrees(2 * np.arctan(side_px / (2 * focal_px))))
 
 
 def focal_of_fov_px(side_px: float, fov_deg: float) -> float:
-    """Focal length [pixels] that gives a side of `side_px` the full angle `fov_deg` [degrees]."""
+    """Give the focal length [pixels] at which a side of `side_px` subtends the full angle `fov_deg` [degrees]."""
     if not 0 < fov_deg < 180:
         raise ValueError(f"a field of view must lie between 0 and 180 degrees, not {fov_deg}")
     return float(side_px / (2 * np.tan(np.radians(fov_deg) / 2)))
 
 
 def focal_from_35mm_px(width_px: float, height_px: float, focal_length_35mm: float) -> float:
-    """Focal length [pixels] from EXIF's 35 mm equivalent by the diagonal rule, for any aspect and portrait.
+    """Give the focal length [pixels] for EXIF's 35 mm equivalent by the diagonal rule, for any shape and orientation.
 
     Parameters
     ----------
@@ -158,14 +158,14 @@ def project(
 def project_vectors(
     camera: Camera, pose: Pose, east: ArrayLike, north: ArrayLike, up: ArrayLike
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Map directions given as vectors of any length to pixels; as `project`, without its trigonometry.
+    """Map directions given as vectors of any length to pixels, like `project` but without its trigonometry.
 
     Parameters
     ----------
     camera : Camera
     pose : Pose
     east, north, up : array
-        Components in one unit; broadcast together.
+        Components of the vectors, all in the same unit; broadcast together.
 
     Returns
     -------
@@ -184,18 +184,18 @@ def project_vectors(
 def to_camera_axes(
     pose: Pose, east: ArrayLike, north: ArrayLike, up: ArrayLike
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Turn vectors from (east, north, up) to the camera's axes; their lengths stay.
+    """Rotate vectors from (east, north, up) to the camera's axes; their lengths do not change.
 
     Parameters
     ----------
     pose : Pose
     east, north, up : array
-        Components in one unit; broadcast together.
+        Components of the vectors, all in the same unit; broadcast together.
 
     Returns
     -------
     right, down, forward : array
-        In the same unit; `forward` is along the optical axis.
+        Components in the same unit; `forward` is along the optical axis.
     """
     heading, pitch, roll = np.radians(pose.heading_deg), np.radians(pose.pitch_deg), np.radians(pose.roll_deg)
     aside = np.multiply(east, np.cos(heading)) - np.multiply(north, np.sin(heading))
@@ -207,7 +207,7 @@ def to_camera_axes(
 
 
 def unproject(camera: Camera, pose: Pose, x_px: ArrayLike, y_px: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Map pixels to directions; inverse of `project`.
+    """Map pixels to directions; the inverse of `project`.
 
     Parameters
     ----------
@@ -241,7 +241,7 @@ def in_frame(camera: Camera, x_px: np.ndarray, y_px: np.ndarray) -> np.ndarray:
     ----------
     camera : Camera
     x_px, y_px : array
-        Pixels; NaN lies outside.
+        Coordinates [pixels]; NaN counts as outside.
 
     Returns
     -------
@@ -256,7 +256,7 @@ def _distort(camera: Camera, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, 
     if camera.k1 == 0 and camera.k2 == 0:
         return x, y
     r2 = x * x + y * y
-    # Beyond the radius at which the polynomial turns back it would fold far directions into the picture.
+    # Beyond the radius at which the polynomial turns back, it would fold distant directions into the picture.
     gain = 1 + camera.k1 * r2 + camera.k2 * r2 * r2
     slope = 1 + 3 * camera.k1 * r2 + 5 * camera.k2 * r2 * r2
     gain = np.where(slope > 0, gain, np.nan)
@@ -267,7 +267,7 @@ def _undistort(camera: Camera, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray
     if camera.k1 == 0 and camera.k2 == 0:
         return x, y
     x0, y0 = x, y
-    for _ in range(20):  # contracts quickly for |k1| r^2 well below 1
+    for _ in range(20):  # converges quickly for |k1| r^2 well below 1
         r2 = x * x + y * y
         gain = 1 + camera.k1 * r2 + camera.k2 * r2 * r2
         x, y = x0 / gain, y0 / gain

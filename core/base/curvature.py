@@ -1,4 +1,4 @@
-"""Earth curvature and atmospheric refraction: one formula, one source."""
+"""The only formula for Earth curvature and atmospheric refraction in this program."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ def apparent_drop_m(
     refraction_coefficient: float = REFRACTION_COEFFICIENT,
     radius_m: float = EARTH_RADIUS_M,
 ) -> FloatOrArray:
-    """How far a point at `distance_m` sinks below the observer's horizontal plane.
+    """Give the apparent drop of a point at `distance_m` below the observer's horizontal plane.
 
     Parameters
     ----------
     distance_m : float or array
         Ground distance [m].
     refraction_coefficient : float
-        Ratio k of the earth's radius to the ray's radius of curvature; 0.13 after Gauss. GDAL's curvature
+        Ratio k of the Earth's radius to the ray's radius of curvature [1]; 0.13 after Gauss. GDAL's curvature
         coefficient is 1 - k.
     radius_m : float
-        Mean radius of the earth [m].
+        Mean radius of the Earth [m].
 
     Returns
     -------

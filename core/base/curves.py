@@ -1,4 +1,4 @@
-"""Curves over a circle of headings, and how well two curves agree."""
+"""Curves over a full circle of headings, and measures of how well two curves agree."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 SIDELOBE_EXCLUSION_DEG = 5.0
-"""Neighbourhood of the peak that is not counted among its sidelobes."""
+"""Headings this close to the peak do not count as sidelobes [degrees]."""
 
 
 def row_ncc(image: np.ndarray, seen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Normalised cross-correlation along the last axis, where both are known, and the mean of `seen` less `image`."""
+    """Give the normalised cross-correlation along the last axis where `seen` is known, and the mean difference."""
     known = np.isfinite(seen)
     count = np.maximum(known.sum(axis=-1), 1)
     seen = np.where(known, seen, 0.0)
@@ -27,7 +27,7 @@ def row_ncc(image: np.ndarray, seen: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 
 def correlation(a: Sequence[float] | np.ndarray, b: Sequence[float] | np.ndarray) -> float | None:
-    """Normalised cross-correlation of two curves, or None where one is straight or both are short."""
+    """Give the normalised cross-correlation of two curves, or None if one is constant or they have under 10 points."""
     if len(a) < 10:
         return None
     ncc, _ = row_ncc(np.asarray(a, float), np.asarray(b, float))
@@ -35,14 +35,14 @@ def correlation(a: Sequence[float] | np.ndarray, b: Sequence[float] | np.ndarray
 
 
 def curve_peaks(heading_deg: np.ndarray, curve: np.ndarray, separation_deg: float) -> list[int]:
-    """Indices of a curve's highest point and of further local maxima, highest first.
+    """Give the indices of a curve's highest point and of further local maxima, highest first.
 
     Parameters
     ----------
     heading_deg, curve : (N,) arrays
-        The curve over the whole circle; NaN where it is unknown.
+        Headings [degrees] over the whole circle and the values there; NaN where the curve is unknown.
     separation_deg : float
-        Smallest turn between two of the maxima [degrees].
+        Smallest angle between two of the maxima [degrees].
     """
     filled = np.where(np.isfinite(curve), curve, -np.inf)
     local = (filled >= np.roll(filled, 1)) & (filled >= np.roll(filled, -1)) & np.isfinite(curve)
@@ -51,14 +51,14 @@ def curve_peaks(heading_deg: np.ndarray, curve: np.ndarray, separation_deg: floa
 
 
 def distinct_headings(heading_deg: np.ndarray, score: ArrayLike, separation_deg: float) -> list[int]:
-    """Indices of headings that differ by `separation_deg` or more, best first.
+    """Give the indices of headings that differ by `separation_deg` or more, best first.
 
     Parameters
     ----------
     heading_deg, score : (N,) arrays
-        In any order; equal scores keep theirs.
+        Headings [degrees] and their scores, in any order; equal scores keep their order.
     separation_deg : float
-        Across north as elsewhere [degrees].
+        Smallest angle between two headings, also across north [degrees].
     """
     kept: list[int] = []
     for index in np.argsort(-np.asarray(score), kind="stable"):
@@ -69,19 +69,19 @@ def distinct_headings(heading_deg: np.ndarray, score: ArrayLike, separation_deg:
 
 
 def sharpness(heading_deg: np.ndarray, curve: np.ndarray, peak_deg: float) -> float | None:
-    """Peak-to-sidelobe ratio of a curve over the circle, or None if it has no sidelobes.
+    """Give the peak-to-sidelobe ratio of a curve over the circle, or None if it has no sidelobes.
 
     Parameters
     ----------
     heading_deg, curve : (N,) arrays
-        The curve over the whole circle; NaN where it is unknown.
+        Headings [degrees] over the whole circle and the values there; NaN where the curve is unknown.
     peak_deg : float
-        Where its peak is [degrees].
+        Heading of the peak [degrees].
 
     Returns
     -------
     float or None
-        Peak minus mean of the sidelobes, in their standard deviations.
+        Peak minus the mean of the sidelobes, divided by their standard deviation.
     """
     away = np.abs((heading_deg - peak_deg + 180) % 360 - 180) > SIDELOBE_EXCLUSION_DEG
     lobes = curve[away & np.isfinite(curve)]

@@ -1,7 +1,8 @@
-"""Magnetic declination, so that a compass heading can be turned to true north.
+"""Magnetic declination, which converts a compass heading to a true heading.
 
 The field is the negative gradient of a potential expanded in Schmidt semi-normalised spherical harmonics to degree
-13. The model is that of the Earth's core: local rock and a phone's own magnets can turn a compass much further.
+13. The model covers the field of the Earth's core only: local rock and a phone's own magnets can deflect a compass
+much further.
 
 References
 ----------
@@ -25,22 +26,22 @@ WGS84_E2 = 6.694379990141e-3
 
 
 def declination_deg(latitude_deg: float, longitude_deg: float, altitude_m: float, when: datetime) -> float | None:
-    """Declination of the Earth's main field.
+    """Give the declination of the Earth's main field.
 
     Parameters
     ----------
     latitude_deg, longitude_deg : float
-        WGS 84 [degrees].
+        WGS 84 position [degrees].
     altitude_m : float
-        Above the ellipsoid, or above the sea, which makes no difference here [m].
+        Height above the ellipsoid or above the sea [m]; the difference does not matter here.
     when : datetime
-        Local time will do.
+        Time of the photograph; local time is accurate enough.
 
     Returns
     -------
     float or None
         Bearing of magnetic north seen from true north, clockwise (east) positive, in [-180, 180] [degrees]:
-        true heading = magnetic heading + declination. None outside the model's years, 1900 to 2030.
+        true heading = magnetic heading + declination. None for a time outside the model's years, 1900 to 2030.
     """
     years, _ = _table()
     year = _decimal_year(when)
@@ -51,28 +52,28 @@ def declination_deg(latitude_deg: float, longitude_deg: float, altitude_m: float
 
 
 def field_nt(latitude_deg: float, longitude_deg: float, altitude_m: float, year: float) -> tuple[float, float, float]:
-    """Main field on the ellipsoid's vertical.
+    """Give the main field relative to the vertical of the ellipsoid.
 
     Parameters
     ----------
     latitude_deg, longitude_deg : float
-        WGS 84 [degrees].
+        WGS 84 position [degrees].
     altitude_m : float
-        Above the ellipsoid [m].
+        Height above the ellipsoid [m].
     year : float
         Decimal year, 1900 to 2030.
 
     Returns
     -------
     north, east, down : float
-        [nT].
+        Components of the field [nT].
     """
     colatitude, radius_m, tilt = _geocentric(np.radians(latitude_deg), altitude_m)
     cosine, sine = _coefficients(year)
     degree_max = cosine.shape[0] - 1
     p, dp = schmidt_functions(colatitude, degree_max)
     degree = np.arange(degree_max + 1)
-    # At the very pole the east component is 0/0; a colatitude of 1e-9 has the same limit.
+    # Exactly at the pole the east component is 0/0; a colatitude of 1e-9 gives its limit.
     longitude = np.radians(longitude_deg) * degree
     cos_m, sin_m = np.cos(longitude), np.sin(longitude)
     decay = (REFERENCE_RADIUS_M / radius_m) ** (degree + 2)
@@ -84,9 +85,9 @@ def field_nt(latitude_deg: float, longitude_deg: float, altitude_m: float, year:
 
 
 def schmidt_functions(colatitude: float, degree_max: int) -> tuple[np.ndarray, np.ndarray]:
-    """Schmidt semi-normalised Legendre functions P and dP/d(colatitude), each (degree_max + 1, degree_max + 1).
+    """Give Schmidt semi-normalised Legendre functions P and dP/d(colatitude), each (degree_max + 1, degree_max + 1).
 
-    Row is the degree n, column the order m; the colatitude is in radians.
+    The row is the degree n and the column the order m. The colatitude is in radians.
     """
     p = np.zeros((degree_max + 1, degree_max + 1))
     dp = np.zeros_like(p)
@@ -105,7 +106,7 @@ def schmidt_functions(colatitude: float, degree_max: int) -> tuple[np.ndarray, n
 
 
 def _geocentric(latitude: float, altitude_m: float) -> tuple[float, float, float]:
-    """Geocentric colatitude [rad], radius [m], and geodetic minus geocentric latitude [rad]."""
+    """Give the geocentric colatitude [rad], the radius [m], and the geodetic minus the geocentric latitude [rad]."""
     curvature_m = WGS84_SEMI_MAJOR_M / np.sqrt(1 - WGS84_E2 * np.sin(latitude) ** 2)
     axis_m = (curvature_m + altitude_m) * np.cos(latitude)
     up_m = (curvature_m * (1 - WGS84_E2) + altitude_m) * np.sin(latitude)
@@ -120,7 +121,7 @@ def _decimal_year(when: datetime) -> float:
 
 
 def _coefficients(year: float) -> np.ndarray:
-    """Gauss coefficients g and h [nT] of a year, each (n, m), linear between the epochs."""
+    """Give the Gauss coefficients g and h [nT] of a year, each (n, m), linearly interpolated between the epochs."""
     years, table = _table()
     after = int(np.clip(np.searchsorted(years, year, side="right"), 1, len(years) - 1))
     share = (year - years[after - 1]) / (years[after] - years[after - 1])
@@ -129,7 +130,7 @@ def _coefficients(year: float) -> np.ndarray:
 
 @lru_cache(maxsize=1)
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Epochs (E,), and coefficients (2, E, n, m): g and h [nT]."""
+    """Read the epochs (E,) and the coefficients g and h [nT] (2, E, n, m)."""
     with open(COEFFICIENTS_FILE, encoding="ascii") as file:
         lines = [line.split() for line in file if not line.startswith("#")]
     years = np.array(lines[0], float)

@@ -1,4 +1,4 @@
-"""The error family: what can go wrong with a photograph or a terrain model, each with its remedy."""
+"""Errors that can occur with photographs, terrain models and outputs; each message tells the user the remedy."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from .messages import Message
 
 
 class SkylineViewshedError(Exception):
-    """Base of all errors that a user can act on; its message, a `Message`, says what to do."""
+    """Base of all errors that a user can act on; its `Message` tells the user what to do."""
 
     @property
     def message(self) -> Message:
-        """The `Message`, for who translates it; `str(error)` is the plain English sentence."""
+        """The `Message`, for the code that translates it; `str(error)` is the plain English sentence."""
         return self.args[0]
 
 
 class PhotoError(SkylineViewshedError):
-    """One photograph cannot be used. A batch goes on with the next."""
+    """One photograph cannot be used. A batch continues with the next one."""
 
 
 class UnreadablePhotoError(PhotoError):
-    """The file is missing, empty, damaged, too large or of a kind that cannot be decoded here."""
+    """The file is missing, empty, damaged, too large or in a format that cannot be decoded here."""
 
     def __init__(self, path: object, reason: str) -> None:
         self.path, self.reason = str(path), reason
@@ -27,11 +27,11 @@ class UnreadablePhotoError(PhotoError):
 
 
 class MissingMetadataError(PhotoError):
-    """A fact that the method needs is neither in the file nor given by the user."""
+    """A value that the method needs is neither in the file nor given by the user."""
 
 
 class SkylineNotFoundError(PhotoError):
-    """No believable boundary between sky and terrain in the picture."""
+    """The picture contains no plausible boundary between sky and terrain."""
 
     def __init__(self, reason: str) -> None:
         super().__init__(
@@ -43,7 +43,7 @@ class SkylineNotFoundError(PhotoError):
 
 
 class TerrainError(SkylineViewshedError):
-    """The elevation model as a whole cannot be used. A batch ends early."""
+    """The elevation model as a whole cannot be used, so a batch ends early."""
 
 
 class UnusableDemError(TerrainError):
@@ -51,7 +51,7 @@ class UnusableDemError(TerrainError):
 
 
 class ObserverError(PhotoError):
-    """The terrain model has nothing to offer at this photo's position."""
+    """The terrain model has no usable data at this photo's position."""
 
 
 class ObserverOutsideDemError(ObserverError):
@@ -70,7 +70,7 @@ class ObserverOutsideDemError(ObserverError):
 
 
 class NoElevationAtObserverError(ObserverError):
-    """The position lies on a void of the raster."""
+    """The position lies on a raster cell without data."""
 
     def __init__(self, longitude_deg: float, latitude_deg: float) -> None:
         self.longitude_deg, self.latitude_deg = longitude_deg, latitude_deg
@@ -85,15 +85,15 @@ class NoElevationAtObserverError(ObserverError):
 
 
 class MissingPackageError(SkylineViewshedError):
-    """An optional package is needed for this one feature and is not installed."""
+    """A feature needs an optional package that is not installed."""
 
 
 class OutputError(SkylineViewshedError):
-    """A result cannot be written: no such folder, read-only, disk full."""
+    """A result cannot be written: the folder does not exist or is read-only, or the disk is full."""
 
     @classmethod
     def of_file(cls, path: object, reason: str) -> OutputError:
-        """Make the error of a file from the reason that the system has given, or a `Message`."""
+        """Make the error for a file from the reason: text from the operating system, or a `Message`."""
         return cls(
             Message(
                 "The file {path} cannot be written: {reason}. Choose another folder or free some space.",
@@ -104,7 +104,7 @@ class OutputError(SkylineViewshedError):
 
 
 class UnreadableFeaturesError(SkylineViewshedError):
-    """A file of drawn image features is missing, damaged or in none of the known formats."""
+    """A file of drawn image features is missing, damaged or in an unknown format."""
 
     def __init__(self, path: object, reason: str) -> None:
         self.path, self.reason = str(path), reason
@@ -112,4 +112,4 @@ class UnreadableFeaturesError(SkylineViewshedError):
 
 
 class Cancelled(BaseException):
-    """The user stopped the run. Not an error, and no handler of errors swallows it."""
+    """The user stopped the run. This is not an error: it derives from `BaseException`, so error handlers ignore it."""

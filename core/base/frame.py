@@ -1,10 +1,10 @@
-"""The observer's local frame: true east and north on the ground against the raster's columns and rows.
+"""The observer's local frame, which relates true east and north on the ground to the raster's columns and rows.
 
 The frame is azimuthal equidistant: the direction of (east, north) is the true azimuth and its length the ground
-distance on the ellipsoid. Scale distortion and meridian convergence of the raster's CRS are therefore right by
-construction. The exact transformation is expensive, so it is tabulated on a coarse grid and interpolated:
-an affine part, exact at the observer, plus a smooth remainder. The table itself is filled from a polynomial through
-a few hundred exact points wherever further exact points prove that polynomial right, and point by point elsewhere.
+distance on the ellipsoid. Scale distortion and meridian convergence of the raster's CRS are therefore accounted for
+by construction. The exact transformation is expensive, so it is split into an affine part, exact at the observer, and
+a smooth remainder that is tabulated on a coarse grid and interpolated. The table is filled from a polynomial through a
+few hundred exact points if further exact points confirm the polynomial, otherwise point by point.
 """
 
 from __future__ import annotations
@@ -16,34 +16,34 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 NEGLIGIBLE_PX = 0.02
-"""A remainder below this [cells] is not worth an interpolation."""
+"""A remainder below this is neglected instead of interpolated [cells]."""
 
 DEGREE = 16
-"""Of the polynomial, per axis, through which a table is filled."""
+"""Degree, per axis, of the polynomial from which a table is filled."""
 
 POLYNOMIAL_PX = 1e-3
-"""By so much the polynomial may miss exact points; beyond, the table is computed node by node."""
+"""Largest error of the polynomial at exact points [pixels]; above it, the table is computed node by node."""
 
 Transform = Callable[[np.ndarray, np.ndarray], Sequence[np.ndarray]]
-"""From (east_m, north_m) to (col, row) of the whole raster [pixels]."""
+"""A function from (east_m, north_m) [m] to (col, row) of the whole raster [pixels]."""
 
 
 @dataclass(frozen=True, eq=False)
 class LocalFrame:
-    """Two-way map between local metres and raster pixels around one observer.
+    """Conversion in both directions between local metres and raster pixels around one observer.
 
     Attributes
     ----------
     longitude_deg, latitude_deg : float
         WGS 84 position of the observer [degrees].
     col_px, row_px : float
-        The same in the whole raster's pixels, the centre of the first cell at 0.
+        Position of the observer [pixels of the whole raster, the centre of the first cell at 0].
     jacobian_px_per_m : (2, 2) array
-        [[d col/d east, d col/d north], [d row/d east, d row/d north]] at the observer.
+        [[d col/d east, d col/d north], [d row/d east, d row/d north]] at the observer [pixels per m].
     radius_m : float
-        The tables reach this far from the observer in each direction [m].
+        Distance from the observer to which the tables reach in each direction [m].
     remainder_px : (2, N, N) array or None
-        (col, row) remainder on a regular grid over (north, east) in [-radius, radius]; None where negligible.
+        Remainder of (col, row) on a regular grid over (north, east) in [-radius, radius] [pixels]; None if negligible.
     """
 
     longitude_deg: float
@@ -56,25 +56,25 @@ class LocalFrame:
 
     @property
     def convergence_deg(self) -> float:
-        """Bearing of grid north (up the columns) seen from true north, clockwise [degrees]."""
+        """Bearing of grid north (up the columns) from true north, clockwise [degrees]."""
         east, north = np.linalg.solve(self.jacobian_px_per_m, [0.0, -1.0 if self.row_goes_south else 1.0])
         return float(np.degrees(np.arctan2(east, north)))
 
     @property
     def row_goes_south(self) -> bool:
-        """Whether rows run from grid north to grid south, as in nearly all rasters."""
+        """Whether the rows run from grid north to grid south, as in nearly all rasters."""
         (a, b), (c, d) = self.jacobian_px_per_m
         return a * d - b * c < 0
 
     @property
     def cell_size_m(self) -> tuple[float, float]:
-        """Ground size (along a row, along a column) of the observer's cell [m]."""
+        """Size on the ground of the observer's cell (along a row, along a column) [m]."""
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         return float(np.hypot(*inverse[:, 0])), float(np.hypot(*inverse[:, 1]))
 
     @property
     def cell_m(self) -> float:
-        """One number for the cell's ground size: the geometric mean of its sides [m]."""
+        """Size of the cell on the ground as one number, the geometric mean of its sides [m]."""
         return float(np.sqrt(np.prod(self.cell_size_m)))
 
     def to_pixel(self, east_m: ArrayLike, north_m: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -91,9 +91,9 @@ class LocalFrame:
         return col, row
 
     def to_local(self, col_px: ArrayLike, row_px: ArrayLike, iterations: int = 3) -> tuple[np.ndarray, np.ndarray]:
-        """Map (col, row) of the whole raster to local (east, north) [m]: the inverse of `to_pixel`.
+        """Map (col, row) of the whole raster to local (east, north) [m]; the inverse of `to_pixel`.
 
-        The remainder is small against the affine part, so a few fixed-point steps converge to well below a
+        The remainder is small compared with the affine part, so a few fixed-point steps converge to well below a
         hundredth of a cell.
 
         Parameters
@@ -101,7 +101,7 @@ class LocalFrame:
         col_px, row_px : array
             Pixels of the whole raster; broadcast together.
         iterations : int
-            Fixed-point steps.
+            Number of fixed-point steps.
         """
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
@@ -120,11 +120,12 @@ def _apply(matrix: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray
 
 
 def _interpolate(tables: np.ndarray, row: np.ndarray, col: np.ndarray) -> Iterator[np.ndarray]:
-    """Interpolate square tables linearly; beyond the outer nodes these hold. (SciPy's own takes as long, and its
-    import longer than all frames of a usual run.)
+    """Interpolate square tables linearly; beyond the outer nodes the values at the edge hold.
+
+    SciPy's own interpolation takes as long, and its import takes longer than all frames of a usual run.
     """
     size = tables.shape[-1]
-    row, col = (np.fmin(np.fmax(place, 0.0), size - 1.0) for place in (row, col))  # NaN goes somewhere, and stays NaN
+    row, col = (np.fmin(np.fmax(place, 0.0), size - 1.0) for place in (row, col))  # NaN yields NaN below
     first_row, first_col = (np.minimum(place.astype(np.intp), size - 2) for place in (row, col))
     row, col = row - first_row, col - first_col
     corner = first_row * size + first_col
@@ -144,14 +145,14 @@ def tabulate_frame(
     Parameters
     ----------
     longitude_deg, latitude_deg : float
-        Observer, WGS 84 [degrees].
+        WGS 84 position of the observer [degrees].
     transform : callable
         (east_m, north_m) arrays -> (col, row) arrays of the whole raster [pixels].
     radius_m : float
         Reach of the frame [m].
     size : int
-        Nodes per side of the table, odd. At 129 nodes over 200 km a raster in longitude and latitude at 60
-        degrees north is met to about 0.1 m.
+        Nodes per side of the table, odd. With 129 nodes over 200 km, the error for a raster in longitude and
+        latitude at 60 degrees north is about 0.1 m.
     """
     step = min(10.0, radius_m / 100)
     col, row = transform(np.array([0, step, -step, 0, 0]), np.array([0, 0, 0, step, -step]))
@@ -167,7 +168,7 @@ def tabulate_frame(
         north, east = np.meshgrid(axis, axis, indexing="ij")
         remainder = remainder_at(east.ravel(), north.ravel()).reshape(2, size, size)
     if not np.isfinite(remainder).all():
-        # Far corners may lie outside the CRS's domain; nothing of the raster is there either.
+        # Distant corners may lie outside the CRS's domain, where the raster has no cells either.
         remainder = np.nan_to_num(remainder, nan=0.0, posinf=0.0, neginf=0.0)
     if np.abs(remainder).max() < NEGLIGIBLE_PX:
         return frame
@@ -177,7 +178,7 @@ def tabulate_frame(
 def _polynomial_table(
     remainder_at: Callable[[np.ndarray, np.ndarray], np.ndarray], axis: np.ndarray
 ) -> np.ndarray | None:
-    """Fill a table over (north, east) from a Chebyshev interpolant; None where exact points contradict it."""
+    """Fill a table over (north, east) from a Chebyshev interpolant; None if exact points contradict it."""
     count = DEGREE + 1
     radius = float(axis[-1])
     node = np.cos(np.pi * (np.arange(count) + 0.5) / count)
@@ -196,6 +197,6 @@ def _polynomial_table(
     north, east = np.meshgrid(probe, probe, indexing="ij")
     exact = remainder_at(east.ravel(), north.ravel()).reshape(2, len(probe), len(probe))
     error = np.abs(at(probe) @ coefficients @ at(probe).T - exact)
-    if not error.max() <= POLYNOMIAL_PX:  # NaN does not pass either
+    if not error.max() <= POLYNOMIAL_PX:  # NaN fails this test too
         return None
     return at(axis) @ coefficients @ at(axis).T

@@ -1,8 +1,8 @@
-"""Picture operations, by OpenCV where it is installed and by SciPy otherwise.
+"""Picture operations, by OpenCV if it is installed and by SciPy otherwise.
 
-The only module outside `core.io` that touches OpenCV. Every operation has a SciPy or NumPy twin that gives the same
-result to rounding (`tests/core/base/test_imaging.py`); OpenCV is only faster. Borders are mirrored about the edge
-pixel's centre unless said otherwise.
+This is the only module outside `core.io` that uses OpenCV. Every operation has a SciPy or NumPy implementation with
+the same result up to rounding (`tests/core/base/test_imaging.py`); OpenCV is only faster. Borders are mirrored about
+the edge pixel's centre unless stated otherwise.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from . import imaging
 from .optional import available
 
 GREY_WEIGHTS = (9798, 19235, 3735)
-"""BT.601 luma weights in units of 2^-15, the fixed-point form that OpenCV rounds with."""
+"""BT.601 luma weights in units of 2^-15, the fixed-point form in which OpenCV rounds."""
 
 SRGB_TO_XYZ = np.array(
     [[0.412453, 0.357580, 0.180423], [0.212671, 0.715160, 0.072169], [0.019334, 0.119193, 0.950227]], np.float32
@@ -26,19 +26,19 @@ SRGB_TO_XYZ = np.array(
 
 MEDIAN_TILE_PX = 128
 LARGE = 90_000_000
-"""Values (30 megapixels in colour) above which a picture is shrunk in strips, to spare memory."""
+"""Number of values (30 megapixels in colour) above which a picture is shrunk in strips to save memory."""
 
 STRIP_PX = 32
-REMAP_LIMIT_PX = 32_767  # cv2.remap refuses any longer side
+REMAP_LIMIT_PX = 32_767  # cv2.remap refuses a longer side
 
 
 def _cv2() -> Any:
-    """OpenCV or None; the one seam at which tests take it away."""
+    """Give OpenCV or None; tests replace this function to remove OpenCV."""
     return available("cv2")
 
 
 def to_grey(pixels: np.ndarray) -> np.ndarray:
-    """Luma of a uint8 (H, W, 3) RGB picture, uint8 (H, W), BT.601 in OpenCV's rounding."""
+    """Convert a uint8 (H, W, 3) RGB picture to BT.601 luma, uint8 (H, W), rounded as OpenCV does."""
     cv2 = _cv2()
     if cv2:
         return cv2.cvtColor(np.ascontiguousarray(pixels), cv2.COLOR_RGB2GRAY)
@@ -49,7 +49,7 @@ def to_grey(pixels: np.ndarray) -> np.ndarray:
 
 
 def rgb_to_lab(rgb: ArrayLike) -> np.ndarray:
-    """CIE L*a*b* (D65) of an sRGB picture.
+    """Convert an sRGB picture to CIE L*a*b* (D65).
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def rgb_to_lab(rgb: ArrayLike) -> np.ndarray:
     Returns
     -------
     (..., 3) float32 array
-        L* 0 to 100, a*, b*.
+        L* from 0 to 100, a* and b*.
     """
     value = np.asarray(rgb, np.float32) / np.float32(255)
     linear = np.where(value <= 0.04045, value / 12.92, ((np.maximum(value, 0) + 0.055) / 1.055) ** 2.4)
@@ -71,13 +71,13 @@ def rgb_to_lab(rgb: ArrayLike) -> np.ndarray:
 
 
 def shrink(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
-    """Resample a picture to a smaller one by exact area averaging, float32.
+    """Reduce a picture by exact area averaging to a float32 one.
 
     Parameters
     ----------
     image : (H, W) or (H, W, C) array, uint8 or float32
     width_px, height_px : int
-        Of the result, neither larger than the picture's own.
+        Size of the result, neither side larger than the picture's own [pixels].
     """
     height, width = image.shape[:2]
     if not (1 <= width_px <= width and 1 <= height_px <= height):
@@ -86,14 +86,15 @@ def shrink(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
         return image.astype(np.float32)
     cv2 = _cv2()
     if cv2 and image.size <= LARGE:
-        # Rounding to whole grey levels would cost faint far ridges their edge, so bytes are not averaged as bytes.
+        # Bytes are averaged as floats: rounding to whole grey levels would remove the edges of faint distant ridges.
         return cv2.resize(image.astype(np.float32), (width_px, height_px), interpolation=cv2.INTER_AREA)
-    # Not by Pillow's box filter, which weighs whole pixels by their centres: on a photograph of 3872 x 2592 pixels
-    # reduced to 1024 x 685 it is up to 17 levels of 255 (0.7 on average) away from OpenCV's areas, these are 0.0001.
+    # Pillow's box filter is not used, because it weights whole pixels by their centres: on a photograph of 3872 x 2592
+    # pixels reduced to 1024 x 685 it differs from OpenCV's area averages by up to 17 levels of 255 (0.7 on average),
+    # this code by 0.0001.
     down, across = _area_weights(height, height_px), _area_weights(width, width_px)
     out = np.empty((height_px, width_px) + image.shape[2:], np.float32)
     for top in range(0, height_px, STRIP_PX):
-        # Strip by strip, so that a hundred megapixels are never held as floats at once.
+        # Work in strips, so that a hundred megapixels are never held as floats at once.
         weights = down[top : top + STRIP_PX]
         first, last = weights.indices.min(), weights.indices.max() + 1
         rows = weights[:, first:last] @ image[first:last].reshape(last - first, -1).astype(np.float32)
@@ -104,14 +105,14 @@ def shrink(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
 
 
 def shrink_to(image: np.ndarray, long_side_px: float) -> np.ndarray:
-    """Reduce a picture by `shrink` to a long side [pixels]; one that is smaller keeps its size."""
+    """Reduce a picture by `shrink` to a long side [pixels]; a smaller picture keeps its size."""
     height, width = image.shape[:2]
     factor = min(1.0, long_side_px / max(height, width))
     return shrink(image, max(1, round(width * factor)), max(1, round(height * factor)))
 
 
 def _area_weights(size: int, size_out: int) -> sparse.csr_matrix:
-    """(size_out, size) sparse matrix that averages each new pixel's span of old ones."""
+    """Make the sparse (size_out, size) matrix that averages the old pixels within each new pixel."""
     edges = np.arange(size_out + 1) * (size / size_out)
     cuts = np.unique(np.concatenate([edges, np.arange(size + 1)]))
     middle, length = (cuts[1:] + cuts[:-1]) / 2, np.diff(cuts)
@@ -123,9 +124,9 @@ def _area_weights(size: int, size_out: int) -> sparse.csr_matrix:
 
 
 def gaussian_blur(image: np.ndarray, sigma_px: float | tuple[float, float]) -> np.ndarray:
-    """Blur a float32 (H, W) or (H, W, C) picture by a Gaussian cut at four sigmas.
+    """Blur a float32 (H, W) or (H, W, C) picture by a Gaussian truncated at four sigmas.
 
-    `sigma_px` is one number or (down, across) [pixels]; 0 leaves that direction alone.
+    `sigma_px` is one number or (down, across) [pixels]; 0 does not blur in that direction.
     """
     down, across = np.broadcast_to(np.asarray(sigma_px, float), 2)
     cv2 = _cv2()
@@ -138,7 +139,7 @@ def gaussian_blur(image: np.ndarray, sigma_px: float | tuple[float, float]) -> n
 
 
 def box_mean(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
-    """Mean over a centred rectangle.
+    """Average over a centred rectangle.
 
     Parameters
     ----------
@@ -149,7 +150,7 @@ def box_mean(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
     Returns
     -------
     array
-        Of the picture's shape: uint8 pictures rounded to uint8, others float32.
+        Averages in the picture's shape: uint8, rounded, for a uint8 picture, otherwise float32.
     """
     cv2 = _cv2()
     if cv2:
@@ -161,7 +162,7 @@ def box_mean(image: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
 
 
 def median(image: np.ndarray, size_px: int) -> np.ndarray:
-    """Median over a centred odd square of a uint8 (H, W) picture, borders replicated."""
+    """Take the median over a centred odd square of a uint8 (H, W) picture, with replicated borders."""
     cv2 = _cv2()
     if cv2:
         return cv2.medianBlur(np.ascontiguousarray(image), size_px)
@@ -177,7 +178,7 @@ def median(image: np.ndarray, size_px: int) -> np.ndarray:
 
 
 def _median_by_levels(tile: np.ndarray, size_px: int) -> np.ndarray:
-    """Median of every full window of a tile: the number of grey levels that fewer than half its pixels reach."""
+    """Take the median of every full window of a tile by counting the pixels at or below each grey level."""
     low, high = int(tile.min()), int(tile.max())
     result = np.full((tile.shape[0] - size_px + 1, tile.shape[1] - size_px + 1), low, np.uint8)
     for level in range(low, high):
@@ -189,7 +190,7 @@ def _median_by_levels(tile: np.ndarray, size_px: int) -> np.ndarray:
 
 
 def laplacian(image: np.ndarray) -> np.ndarray:
-    """Laplacian by the 4-neighbour kernel of a uint8 or float (H, W) picture, signed float32."""
+    """Apply the 4-neighbour Laplacian to a uint8 or float (H, W) picture; the result is signed float32."""
     cv2 = _cv2()
     if cv2:
         return cv2.Laplacian(np.ascontiguousarray(image), cv2.CV_32F, ksize=1)
@@ -197,7 +198,7 @@ def laplacian(image: np.ndarray) -> np.ndarray:
 
 
 def erode(mask: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
-    """Shrink the true part of a mask by a centred rectangle; the border itself erodes nothing.
+    """Shrink the true part of a mask by a centred rectangle; the picture's border does not erode it.
 
     Parameters
     ----------
@@ -212,7 +213,7 @@ def erode(mask: np.ndarray, width_px: int, height_px: int) -> np.ndarray:
 
 
 def maximum_down(image: np.ndarray, size_px: int) -> np.ndarray:
-    """Largest value within a centred odd window along each column of a float32 (H, W) picture."""
+    """Take the maximum in a centred odd window along each column of a float32 (H, W) picture."""
     cv2 = _cv2()
     if cv2:
         return cv2.dilate(np.ascontiguousarray(image, np.float32), np.ones((size_px, 1), np.uint8))
@@ -222,21 +223,21 @@ def maximum_down(image: np.ndarray, size_px: int) -> np.ndarray:
 def sample_bilinear(image: np.ndarray, x_px: np.ndarray, y_px: np.ndarray, outside: float = 0.0) -> np.ndarray:
     """Interpolate a picture at points.
 
-    Separate from `terrain.bilinear`: OpenCV does this many times faster, in steps of 1/32 pixel, which is fine enough
-    for pictures and too coarse for terrain.
+    This function is separate from `base.terrain.bilinear`, because OpenCV interpolates many times faster but in steps
+    of 1/32 pixel, which is fine enough for pictures and too coarse for terrain.
 
     Parameters
     ----------
     image : (H, W) array
     x_px, y_px : array
-        Points of any common shape [pixels].
+        Points, of any common shape [pixels].
     outside : float
-        Value of the picture beyond its border, and of NaN coordinates.
+        Result for points beyond the border and for NaN coordinates.
 
     Returns
     -------
     float32 array
-        Of the points' shape.
+        Values in the points' shape.
     """
     finite = np.isfinite(x_px) & np.isfinite(y_px)
     x = np.where(finite, x_px, -9.0).astype(np.float32)
@@ -250,11 +251,11 @@ def sample_bilinear(image: np.ndarray, x_px: np.ndarray, y_px: np.ndarray, outsi
 
 
 THUMBNAIL_PX = 64
-"""Long side: coarser than trees and gullies, fine enough for the faces of mountains [pixels]."""
+"""Long side of a thumbnail [pixels]: too coarse for trees and gullies, fine enough for the faces of mountains."""
 
 
 def thumbnail(pixels: np.ndarray, crop: tuple[int, int, int, int] = (0, 0, 0, 0)) -> np.ndarray:
-    """Reduce a picture.
+    """Reduce a picture to a thumbnail.
 
     Parameters
     ----------
@@ -266,7 +267,8 @@ def thumbnail(pixels: np.ndarray, crop: tuple[int, int, int, int] = (0, 0, 0, 0)
     Returns
     -------
     (h, w, 3) float32 array
-        Long side `THUMBNAIL_PX`, or the picture's own where that is smaller; NaN where any of it is cropped.
+        Thumbnail whose long side is `THUMBNAIL_PX` or the picture's own, whichever is smaller; NaN if any part of a
+        pixel is cropped.
     """
     height, width = pixels.shape[:2]
     top, bottom, left, right = crop

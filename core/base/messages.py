@@ -1,4 +1,4 @@
-"""Sentences for the user as a template and its facts, so that they can be translated where they are shown."""
+"""Sentences for the user, kept as template and facts so that they can be translated when they are shown."""
 
 from __future__ import annotations
 
@@ -8,23 +8,22 @@ from typing import Any
 
 
 class Message(str):
-    """An English sentence that keeps the template and the facts it was made of.
+    """An English sentence that keeps the template and the facts from which it was made.
 
-    The core knows no translator. It writes ``Message("The DEM {path} does not exist.", path=path)``, and the shell
+    The core has no translator. It writes ``Message("The DEM {path} does not exist.", path=path)``, and the shell
     puts the template into the user's language and fills in the same facts (`algorithms.shared.i18n`).
-    `tools/make_translations.py` collects the templates, therefore the first argument is a literal.
+    `tools/make_translations.py` collects the templates; therefore the first argument must be a literal.
 
-    A message is a `str`, so that the report, exceptions, JSON and comparisons use it as the plain sentence. What
-    builds a new string from it (``str()``, an f-string, ``+``, ``join``) gives the English sentence without its
-    structure: pass the message itself on, or make it a fact of another message. Equality and hash are the
-    sentence's.
+    A message is a `str`, so that the report, exceptions, JSON and comparisons use it as the plain sentence. Building a
+    new string from it (``str()``, an f-string, ``+``, ``join``) gives the English sentence without its structure. Pass
+    on the message itself instead, or make it a fact of another message. Equality and hash are those of the sentence.
 
     Parameters
     ----------
     template : str
-        Names of facts stand in braces.
+        Sentence with the names of the facts in braces.
     **facts : str, int or Message
-        Numbers with a fraction come formatted; of anything else, as a path, the text is taken.
+        Values by name. Format numbers with a fraction first; any other object, such as a path, becomes its `str()`.
     """
 
     __slots__ = ("_facts", "_template")
@@ -32,7 +31,7 @@ class Message(str):
     _template: str
 
     def __new__(cls, template: str, /, **facts: object) -> Message:
-        """Fill the template in; a fact that it names and that is not given is a `KeyError`."""
+        """Fill in the template; raises `KeyError` if a fact that it names is missing."""
         kept = {name: fact if isinstance(fact, (str, int)) else str(fact) for name, fact in facts.items()}
         message = super().__new__(cls, template.format(**kept))
         message._template, message._facts = template, kept
@@ -40,12 +39,12 @@ class Message(str):
 
     @classmethod
     def restored(cls, template: str, facts: dict[str, object]) -> Message:
-        """Give the message of a template and a dict of facts that were kept somewhere."""
+        """Rebuild a message from a stored template and a dict of facts."""
         return cls(template, **facts)
 
     @property
     def template(self) -> str:
-        """The sentence with names in braces for its facts."""
+        """The sentence with the names of the facts in braces."""
         return self._template
 
     @property
@@ -58,5 +57,5 @@ class Message(str):
         return Message.restored, (self._template, self._facts)
 
     def __repr__(self) -> str:
-        """Show the call that makes the message."""
+        """Give the call that makes the message."""
         return f"Message({', '.join([repr(self._template), *(f'{k}={v!r}' for k, v in self._facts.items())])})"

@@ -1,7 +1,7 @@
-"""The vocabulary: values that cross from one stage to another.
+"""Values that the stages of the program exchange.
 
-Angles are degrees, lengths metres, pixels floats with the centre of the first pixel at 0. None means unknown;
-nothing here is ever made up to fill a gap.
+Angles are in degrees and lengths in metres. Pixel coordinates are floats with the centre of the first pixel at 0. None
+means unknown; a missing value is never replaced by an invented one.
 """
 
 from __future__ import annotations
@@ -13,42 +13,41 @@ import numpy as np
 
 from .answer import PhotoAnswer
 from .camera import FOCAL_SIGMA, Camera, Pose
-from .messages import Message
 
 
 @dataclass(frozen=True)
 class PhotoMetadata:
-    """What a photograph's file says about itself.
+    """Metadata read from a photograph's file.
 
     Attributes
     ----------
     path : str
     width_px, height_px : int
-        Of the *upright* picture [pixels].
+        Size of the *upright* picture [pixels].
     latitude_deg, longitude_deg : float or None
-        WGS 84 [degrees].
+        WGS 84 position [degrees].
     altitude_m : float or None
         GPSAltitude, negative below the sea [m].
     altitude_reference : str or None
-        'sea level', 'below sea level', 'ellipsoid' as GPSAltitudeRef says.
+        'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
     focal_length_35mm, focal_length_mm : float or None
-        35 mm equivalent of the picture as it is, and the lens's real focal length [mm].
+        35 mm equivalent of the picture in its present crop, and the real focal length of the lens [mm].
     focal_sigma : float
-        Relative spread of the equivalent.
+        Relative standard deviation of the 35 mm equivalent [1].
     orientation : int
-        EXIF Orientation 1 to 8, for the record; pixels and sizes here are upright already.
+        EXIF Orientation 1 to 8, for information only; pixels and sizes here are already upright.
     compass_heading_deg : float or None
-        GPSImgDirection as recorded [degrees].
+        GPSImgDirection as recorded, clockwise from the north of `compass_reference` [degrees].
     compass_reference : str or None
-        'T' true, 'M' magnetic, None unknown.
+        'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
         GPSHPositioningError [m].
     taken_at : datetime or None
-        Camera's local time.
+        Local time of the camera.
     camera : str or None
-        Maker and model.
+        Make and model.
     notes : tuple of Message
-        Remarks worth telling the user (coordinates ignored and why, a focal length that was derived, ...).
+        Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     """
 
     path: str
@@ -72,7 +71,7 @@ class PhotoMetadata:
 
 @dataclass(frozen=True, eq=False)
 class Photo:
-    """A photograph: metadata and upright pixels, uint8 (H, W, 3) RGB.
+    """A photograph, as metadata and upright pixels, uint8 (H, W, 3) RGB.
 
     The pixels may be a reduced copy; `metadata.width_px, height_px` always give the full size.
     """
@@ -83,14 +82,14 @@ class Photo:
 
 @dataclass(frozen=True, eq=False)
 class Skyline:
-    """One boundary row per column of a picture of `width_px` x `height_px`.
+    """Skyline as one boundary row per column of a picture of `width_px` x `height_px`.
 
     Attributes
     ----------
     row_px : (W,) array
         Row of the first terrain pixel [pixels].
     confidence : (W,) array
-        0 to 1; 0 where no believable boundary was found (then `row_px` is only an interpolation).
+        0 to 1; 0 where no plausible boundary was found (`row_px` is only an interpolation there).
     """
 
     row_px: np.ndarray
@@ -100,35 +99,35 @@ class Skyline:
 
     @property
     def valid(self) -> np.ndarray:
-        """(W,) bool: columns with a believable boundary."""
+        """Columns with a plausible boundary, (W,) bool."""
         return self.confidence > 0
 
 
 @dataclass(frozen=True, eq=False)
 class SkylineEvidence:
-    """Where the skyline may be, as a probability over rows for each column of a reduced picture.
+    """Probability of the skyline over the rows of each column of a reduced picture.
 
     Attributes
     ----------
     probability : (h, w) float32 array
-        p(first terrain row = y | column); each column sums to 1, less its `leaves_frame`. A column without
+        p(first terrain row = y | column); each column sums to 1 minus its `leaves_frame`. A column without
         information is flat.
     best : Skyline
-        The single most likely continuous line, on the reduced picture (for drawing and for the table).
+        The most likely continuous line on the reduced picture, for drawing and for the table.
     width_px, height_px : int
         Size of the upright full picture [pixels]; the reduced one has `probability.shape`.
     crop : (top, bottom, left, right) ints
-        Rows and columns of the reduced picture cut off as border or caption; the probabilities are flat there.
+        Rows and columns of the reduced picture excluded as border or caption; the probabilities are flat there.
     sky_score : (h, w) float32 array or None
-        Log-likelihood ratio sky against ground per pixel, clipped, for reports and cloud handling.
+        Clipped log-likelihood ratio of sky to ground per pixel, for reports and cloud handling.
     ridge_score : (h, w) float32 array or None
-        Evidence of an interior ridge (occlusion edge) per pixel, 0 or more, for second evidence.
+        Evidence of an interior ridge (occlusion edge) per pixel, 0 or more; used as second evidence.
     leaves_frame : (w,) float32 array or None
-        Probability that terrain fills the column, so that its skyline lies above the picture; None: nowhere.
+        Probability that terrain fills the column, so that its skyline lies above the picture; None if 0 everywhere.
     thumbnail : (h', w', 3) float32 array or None
-        The picture itself, RGB 0 to 255, much reduced and NaN where it was cut off, for second evidence.
+        Strongly reduced picture, RGB 0 to 255, NaN where it was excluded; used as second evidence.
     rival : SkylineEvidence or None
-        The same if the best line is a crest before farther terrain: what there is above it. None where that is little.
+        Evidence above the best line, in case that line is a crest before farther terrain; None if there is little.
     """
 
     probability: np.ndarray
@@ -145,7 +144,7 @@ class SkylineEvidence:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One distinct answer: pose, lens, and how well it explains the picture (higher is better)."""
+    """One distinct answer: pose, camera, and a score of the agreement with the picture (higher is better)."""
 
     pose: Pose
     camera: Camera
@@ -160,30 +159,30 @@ class Orientation:
     Attributes
     ----------
     status : str
-        'accepted', 'ambiguous', 'rejected' ('failed' is for input faults and never comes from a matcher).
-    message : Message
-        Why, and what to do, in a plain sentence.
+        'accepted', 'ambiguous' or 'rejected'; 'failed' is for faulty input and never comes from a matcher.
+    message : Message or str
+        The reason for the status, and what the user can do, in a plain sentence.
     candidates : tuple of Candidate
-        Distinct answers, best first; empty when nothing could be matched.
+        Distinct answers, best first; empty if nothing could be matched.
     heading_lo_deg, heading_hi_deg : float or None
         90 % interval of the true heading, clockwise from lo to hi [degrees].
     p_correct : float or None
         Probability that the heading is within 3 degrees of the truth.
     curve_heading_deg, curve_score : (N,) arrays
-        The score over the whole circle, for curve and rose.
+        Headings over the whole circle [degrees] and the score at each, for curve and rose diagrams.
     ncc, ncc_second, sharpness : float or None
-        Normalised cross-correlation of image and DEM skyline at the answer, the second peak's, and the peak's
-        sharpness as the paper's method has them.
+        Normalised cross-correlation of image and DEM skyline at the answer and at the second peak, and sharpness of
+        the peak, as the paper's method defines them.
     residual_px : (w,) array or None
         Image skyline minus projected horizon along the columns of the reduced picture [pixels of the full picture].
-    notes : tuple of Message
-        Remarks worth telling the user (eye height disagreement, clipped horizon, ...).
+    notes : tuple of Message or str
+        Remarks for the user (disagreement of eye heights, clipped horizon, ...); a plain str is not translated.
     behind : bool
-        The horizon was matched with the evidence's rival.
+        Whether the horizon was matched with the `rival` of the evidence.
     """
 
     status: str
-    message: Message
+    message: str
     candidates: tuple[Candidate, ...] = ()
     heading_lo_deg: float | None = None
     heading_hi_deg: float | None = None
@@ -199,39 +198,39 @@ class Orientation:
 
     @property
     def best(self) -> Candidate | None:
-        """The first candidate, or None."""
+        """First candidate, or None."""
         return self.candidates[0] if self.candidates else None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OrientedPhoto(PhotoAnswer):
-    """Everything a run learned about one photograph: what shells write to attributes and what the report draws.
+    """Everything that a run found for one photograph, for attribute tables and reports.
 
     Attributes
     ----------
     path : str
     orientation : Orientation
-        With status 'failed' and the reason where an input fault stopped it; then most of the rest is None.
+        Has status 'failed' and the reason if faulty input stopped the run; most other attributes are None then.
     metadata : PhotoMetadata or None
     preview : uint8 (h, w, 3) array or None
-        Upright reduced picture for figures.
+        Reduced upright picture for figures.
     camera : Camera or None
-        Of the full upright picture: the fitted one where a heading was found, else the prior.
+        Camera of the full upright picture: the fitted one if a heading was found, otherwise the prior.
     skyline : Skyline or None
-        As extracted, on a picture of `skyline.width_px` x `skyline.height_px`.
+        Extracted skyline, on a picture of `skyline.width_px` x `skyline.height_px`.
     evidence : SkylineEvidence or None
-        Robust method only.
+        Given by the robust method only.
     horizon : HorizonProfile or None
     longitude_deg, latitude_deg : float or None
-        Position used, WGS 84 [degrees].
+        WGS 84 position that was used [degrees].
     eye_elevation_m : float or None
-        Absolute elevation of the eye used [m].
+        Absolute elevation of the eye that was used [m].
     ground_elevation_m : float or None
-        Of the DEM under the observer [m].
+        Elevation of the DEM at the observer [m].
     convergence_deg : float or None
-        Bearing of the DEM's grid north from true north, clockwise [degrees].
+        Bearing of the DEM's grid north from true north, clockwise positive [degrees].
     compass_true_deg : float or None
-        Recorded heading turned to true north [degrees].
+        Recorded heading, converted to true north [degrees].
     """
 
     path: str
@@ -252,27 +251,27 @@ class OrientedPhoto(PhotoAnswer):
 
 @dataclass(frozen=True, eq=False)
 class HorizonProfile:
-    """The sky-terrain boundary as the DEM has it, around one observer.
+    """Horizon of a DEM around one observer: the boundary between sky and terrain.
 
     Attributes
     ----------
     azimuth_deg : (A,) array
-        Regular, from 0, clockwise from true north [degrees].
+        Regularly spaced azimuths from 0, clockwise from true north [degrees].
     elevation_deg : (A,) array
-        Elevation angle of the horizon [degrees]; NaN where nothing is known in that direction.
+        Elevation angle of the horizon, up positive [degrees]; NaN where it is unknown.
     distance_m : (A,) array
         Ground distance of the horizon point [m]; NaN where unknown.
     clipped : (A,) bool array
-        The DEM ends in this direction before `max_distance_m` and terrain beyond its edge could be higher, so that
-        the horizon is a lower bound.
+        True where the DEM ends before `max_distance_m` and terrain beyond its edge could be higher, so that the
+        horizon is a lower bound.
     void : (A,) bool array
-        Cells without data lie along the ray and might hide a higher horizon.
+        True where cells without data lie along the ray and may contain a higher horizon.
     eye_elevation_m : float
-        Of the observer's eye [m].
+        Elevation of the observer's eye [m].
     cell_m : float
-        Ground size of the DEM's cells [m].
+        Size of the DEM's cells on the ground [m].
     reach_m : (A,) array
-        How far the DEM was searched in each direction [m].
+        Distance to which the DEM was searched in each direction [m].
     """
 
     azimuth_deg: np.ndarray

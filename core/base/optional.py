@@ -1,4 +1,4 @@
-"""Optional packages: imported when first needed, and missed in a sentence that says what to do."""
+"""Import of optional packages when they are first needed; the error for a missing package says how to install it."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exi
 
 
 def available(module: str) -> Any:
-    """Import an optional module and return it, or None where it is missing or broken."""
+    """Import and return an optional module; None if it is missing or broken."""
     if sys.modules.get(module) is not None:
         return sys.modules[module]
     try:
         with _own_libraries_first(module):
             return importlib.import_module(module)
-    except Exception:  # a binary built against another NumPy raises much more than ImportError
+    except Exception:  # a binary built against another NumPy raises more than ImportError
         return None
 
 
 @contextmanager
 def _own_libraries_first(module: str) -> Iterator[None]:
-    """Bind Pillow and pillow-heif to the libraries that their wheels bring.
+    """Bind Pillow and pillow-heif to the libraries in their own wheels.
 
     On Linux the QGIS programs have GDAL's libheif and Qt's freetype in their global scope. Without RTLD_DEEPBIND a
-    wheel's calls go to those other versions: decoding HEIC kills the process, and letters come out enormous.
+    wheel calls those other versions: decoding HEIC then crashes the process, and text is drawn far too large.
     """
     if module.split(".")[0] not in ("PIL", "pillow_heif") or not hasattr(os, "RTLD_DEEPBIND"):
         yield
@@ -46,7 +46,7 @@ def _own_libraries_first(module: str) -> Iterator[None]:
 
 
 def require(module: str, feature: str) -> Any:
-    """Import an optional module or raise `MissingPackageError`; it names the feature, a `Message`, and the command."""
+    """Import an optional module, or raise `MissingPackageError` with the feature (a `Message`) and the command."""
     found = available(module)
     if found is None:
         raise MissingPackageError(
@@ -61,7 +61,7 @@ def require(module: str, feature: str) -> Any:
 
 
 def install_hint(module: str) -> Message:
-    """Say in one sentence how to install a package: into this Python, or into the one that QGIS brings."""
+    """Give a sentence on how to install a package into this Python or into that of QGIS."""
     package = PIP_NAMES.get(module, module)
     if "qgis" not in sys.modules:
         command = f"python -m pip install {package}"

@@ -1,4 +1,4 @@
-"""The lines of an overlay, in pixels of the full upright picture: extracted skyline and projected DEM horizons."""
+"""Lines of an overlay in pixels of the full upright picture: the extracted skyline and projected DEM horizons."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from .camera import Camera, Pose, project
 from .model import HorizonProfile, OrientedPhoto, Skyline
 
 OUTSIDE = 0.25
-"""Share of the picture's size by which a line may leave it before it is cut."""
+"""Distance beyond the picture's edge at which a line is cut, as a share of the picture's size."""
 
 
 @dataclass(frozen=True, eq=False)
 class OverlayLine:
-    """A line over a picture.
+    """A line drawn over a picture.
 
     Attributes
     ----------
     x_px, y_px : (N,) arrays
-        Points in pixels of the full upright picture; NaN breaks the line.
+        Vertices [pixels of the full upright picture]; NaN breaks the line.
     doubtful : (N,) bool array
-        Where the line is a lower bound or a guess: the DEM's edge or a void for a horizon, no believable boundary for
-        a skyline.
+        True where the line is a lower bound or a guess: at the DEM's edge or a void for a horizon, without a
+        plausible boundary for a skyline.
     """
 
     x_px: np.ndarray
@@ -32,9 +32,9 @@ class OverlayLine:
     doubtful: np.ndarray
 
     def part(self, doubtful: bool) -> tuple[np.ndarray, np.ndarray]:
-        """(x, y) of the doubtful or of the firm stretches, the rest NaN."""
+        """Give (x, y) [pixels] of the doubtful or of the reliable parts; all other points are NaN."""
         keep = self.doubtful == doubtful
-        # A stretch takes its last neighbour along, so that firm and doubtful ones join.
+        # A doubtful part includes the point that follows it, so that reliable and doubtful parts join.
         keep = keep | np.r_[False, keep[:-1]] if doubtful else keep
         return np.where(keep, self.x_px, np.nan), np.where(keep, self.y_px, np.nan)
 
@@ -46,14 +46,14 @@ def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> Overlay
     ----------
     horizon : HorizonProfile
     camera : Camera
-        Of the full upright picture.
+        Camera of the full upright picture.
     pose : Pose
 
     Returns
     -------
     OverlayLine
-        From left to right by azimuth about the heading; directions behind the camera, far outside the frame, or
-        without a known horizon break it.
+        Line from left to right, ordered by azimuth about the heading; it breaks at directions behind the camera, far
+        outside the frame, or without a known horizon.
     """
     azimuth = np.asarray(horizon.azimuth_deg, float)
     turn = difference(azimuth, pose.heading_deg)
@@ -69,9 +69,9 @@ def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> Overlay
 
 
 def skyline_line(skyline: Skyline, width_px: int, height_px: int) -> OverlayLine:
-    """Bring an extracted skyline to pixels of the full upright picture.
+    """Convert an extracted skyline to pixels of the full upright picture.
 
-    The line is the boundary: the upper edge of the first terrain pixels.
+    The line is the upper edge of the first terrain pixels.
 
     Parameters
     ----------
@@ -86,13 +86,13 @@ def skyline_line(skyline: Skyline, width_px: int, height_px: int) -> OverlayLine
 
 
 def photo_lines(photo: OrientedPhoto) -> tuple[OverlayLine | None, list[OverlayLine]]:
-    """All lines of an `OrientedPhoto`.
+    """Give all lines of an `OrientedPhoto`.
 
     Returns
     -------
     extracted : OverlayLine or None
     horizons : list of OverlayLine
-        Of the best answer and up to two alternatives, best first; empty without a DEM horizon or an answer.
+        Lines of the best answer and up to two alternatives, best first; empty without a DEM horizon or an answer.
     """
     extracted = None
     if photo.skyline is not None:
@@ -107,13 +107,13 @@ def photo_lines(photo: OrientedPhoto) -> tuple[OverlayLine | None, list[OverlayL
 
 
 def skyline_residuals_px(photo: OrientedPhoto) -> np.ndarray | None:
-    """Extracted skyline minus the best answer's horizon along the columns of the skyline.
+    """Give the extracted skyline minus the best answer's horizon along the columns of the skyline.
 
     Returns
     -------
     (w,) array or None
-        [pixels of the full picture], + where the extracted skyline is lower in the picture; NaN where one of them is
-        unknown. The matcher's own residuals, where it gave any.
+        Residuals [pixels of the full picture], positive where the extracted skyline is lower in the picture; NaN where
+        either is unknown. If the matcher gave residuals, they are returned.
     """
     if photo.orientation.residual_px is not None:
         return photo.orientation.residual_px
@@ -128,7 +128,7 @@ def skyline_residuals_px(photo: OrientedPhoto) -> np.ndarray | None:
 
 
 def full_size(photo: OrientedPhoto) -> tuple[int, int]:
-    """(width, height) of the full upright picture [pixels], from the best source an `OrientedPhoto` has."""
+    """Give (width, height) of the full upright picture [pixels] from the best source in an `OrientedPhoto`."""
     if photo.camera is not None:
         return photo.camera.width_px, photo.camera.height_px
     if photo.metadata is not None:
@@ -145,7 +145,7 @@ def _with_neighbours(mask: np.ndarray) -> np.ndarray:
 
 
 def _trimmed(x: np.ndarray, y: np.ndarray, doubtful: np.ndarray) -> OverlayLine:
-    """Drop unknown points except one between known stretches."""
+    """Drop unknown points, except one between known parts."""
     known = np.isfinite(x)
     keep = known | np.r_[False, known[:-1]]
     return OverlayLine(x[keep], y[keep], doubtful[keep])

@@ -9,26 +9,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+CIRCLE_CORNERS = 32
 KINDS = ("point", "line", "polygon")
 
 
 @dataclass(frozen=True, eq=False)
 class PixelFeature:
-    """Something drawn on a photograph.
+    """A point, line or area drawn on a photograph.
 
     Attributes
     ----------
     photo : str
-        File name or path of the photograph as its source gives it; '' where it does not.
+        File name or path of the photograph as given in the source; '' if none is given.
     kind : str
         'point', 'line' or 'polygon'.
     parts : tuple of (N, 2) arrays
-        x and y of the vertices [pixels of the upright picture, the first one's centre at 0, y down]. A point has
-        one part with one or more places; rings of a polygon are not closed; inner rings follow the outer one.
+        x and y of the vertices [pixels of the upright picture, the centre of the first pixel at 0, y down]. A point
+        has one part with one or more vertices; rings of a polygon are not closed; inner rings follow the outer one.
     label : str
-        Class or name given to it.
+        Class or name of the feature.
     attributes : dict
-        Further values of its source, plain text and numbers.
+        Further values from the source, as plain text and numbers.
     """
 
     photo: str
@@ -43,12 +44,12 @@ class PixelFeature:
 
 
 def photo_key(photo: object) -> str:
-    """What photographs are matched by: the file's name in lower case, without folders."""
+    """Give the key by which photographs are matched: the file's name in lower case, without folders."""
     return str(photo).replace("\\", "/").rsplit("/", 1)[-1].lower()
 
 
 def for_photo(features: Iterable[PixelFeature], path: object) -> list[PixelFeature]:
-    """Features that belong to a photo: by its file's name, with or without the extension; '' belongs to any."""
+    """Select the features of a photo by its file name, with or without the extension; '' matches any photo."""
     key = photo_key(path)
     stem = key.rsplit(".", 1)[0]
     return [
@@ -57,7 +58,7 @@ def for_photo(features: Iterable[PixelFeature], path: object) -> list[PixelFeatu
 
 
 def downward(parts: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Turn y downwards where it was counted upwards from the top, as QGIS does on a picture without georeference.
+    """Make y point down if it points up, as QGIS has it on a picture without georeference.
 
     There the upper left corner is (0, 0) and the picture lies at negative y.
     """
@@ -68,6 +69,26 @@ def downward(parts: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
 
 
 def open_ring(points: ArrayLike) -> np.ndarray:
-    """Drop the last vertex of a ring where it repeats the first."""
+    """Drop the last vertex of a ring if it repeats the first."""
     points = np.asarray(points, float).reshape(-1, 2)
     return points[:-1] if len(points) > 1 and np.array_equal(points[0], points[-1]) else points
+
+
+def ellipse(centre: ArrayLike, radius_x: float, radius_y: float | None = None) -> np.ndarray:
+    """Give the vertices of an ellipse with `CIRCLE_CORNERS` corners, clockwise from the top.
+
+    Parameters
+    ----------
+    centre : (2,) array
+        x and y [pixels].
+    radius_x, radius_y : float
+        Half axes along x and y [pixels]; a circle without `radius_y`.
+
+    Returns
+    -------
+    (CIRCLE_CORNERS, 2) array
+        x and y [pixels].
+    """
+    turn = 2 * np.pi * np.arange(CIRCLE_CORNERS) / CIRCLE_CORNERS
+    across, down = radius_x * np.sin(turn), -(radius_x if radius_y is None else radius_y) * np.cos(turn)
+    return np.asarray(centre, float) + np.column_stack([across, down])

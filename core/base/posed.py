@@ -1,4 +1,4 @@
-"""A photograph whose pose is known: the one value that matcher, maps, viewsheds and shells exchange."""
+"""A photograph with a known pose, the value that matcher, maps, viewsheds and shells exchange."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from .uncertainty import PoseUncertainty
 
 @dataclass(frozen=True)
 class PosedPhoto:
-    """A camera, where it stands, where it looks, and how well that is known.
+    """A camera with its pose, its position, and their uncertainty.
 
     `base.view.open_view` places it on a terrain.
 
     Attributes
     ----------
     camera : Camera
-        Of the full upright picture, with principal point and distortion where they are known.
+        Camera of the full upright picture, with principal point and distortion if they are known.
     pose : Pose
     observer : Observer
-        The eye.
+        Position of the eye.
     uncertainty : PoseUncertainty
     path : str or None
-        Of the picture's file.
+        Path of the picture's file.
     """
 
     camera: Camera
@@ -35,8 +35,8 @@ class PosedPhoto:
     path: str | None = None
 
     place: ClassVar[Callable[..., Any]]
-    """Gives longitude and latitude of pixels. `core.api` supplies the method, since it needs `core.mapping`."""
+    """Gives the longitude and latitude of pixels. `core.api` sets this method, because it needs `core.mapping`."""
 
     def with_heading_interval(self, heading_lo_deg: float, heading_hi_deg: float) -> PosedPhoto:
-        """Take the heading's uncertainty from its 90 % interval, clockwise from lo to hi [degrees]."""
+        """Derive the heading's uncertainty from its 90 % interval, clockwise from lo to hi [degrees]."""
         return replace(self, uncertainty=self.uncertainty.with_heading_interval(heading_lo_deg, heading_hi_deg))

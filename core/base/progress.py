@@ -1,4 +1,4 @@
-"""Progress and cancelling, without knowing who listens."""
+"""Reports of progress and requests to cancel, independent of the user interface."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from .errors import Cancelled
 
 
 class Progress(Protocol):
-    """What a long computation talks to."""
+    """Object to which a long computation reports, and from which it learns that the user cancels."""
 
     def report(self, fraction: float) -> None:
-        """Say how much is done, 0 to 1."""
+        """Report the fraction done, 0 to 1."""
 
     def cancelled(self) -> bool:
-        """Tell whether the user wants to stop."""
+        """Tell whether the user has asked to stop."""
 
 
 class _Silent:
@@ -45,7 +45,7 @@ class _Function:
 
 
 def as_progress(progress: ProgressLike) -> Progress:
-    """Make a `Progress` of whatever a caller has given."""
+    """Convert what a caller has given to a `Progress`."""
     if progress is None:
         return SILENT
     return cast(Progress, progress) if hasattr(progress, "report") else _Function(progress)
@@ -65,20 +65,20 @@ class _Subtask:
 
 
 def subtask(progress: Progress, start: float, stop: float) -> Progress:
-    """Give a part of the work its share of the bar.
+    """Make a `Progress` for a part of the work.
 
     Parameters
     ----------
     progress : Progress
-        Of the whole work.
+        Progress of the whole work.
     start, stop : float
-        Where the part begins and ends, 0 to 1.
+        Fractions of the whole at which the part begins and ends, 0 to 1.
     """
     return _Subtask(progress, start, stop)
 
 
 def checkpoint(progress: Progress, fraction: float) -> None:
-    """Report `fraction` and raise `Cancelled` when the user has asked to stop."""
+    """Report `fraction` and raise `Cancelled` if the user has asked to stop."""
     if progress.cancelled():
         raise Cancelled
     progress.report(fraction)

@@ -1,4 +1,4 @@
-"""The DEM's surface at scattered places: elevation and normal, read tile by tile so that memory stays bounded."""
+"""Elevation and normal of the DEM's surface at scattered places, read tile by tile so that memory stays bounded."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TILE_CELLS = 1024
 
 
 def sample_pixels(terrain: Terrain, col_px: ArrayLike, row_px: ArrayLike) -> np.ndarray:
-    """Elevation at pixels of the whole raster, bilinear.
+    """Interpolate the elevation at pixels of the whole raster bilinearly.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def sample_pixels(terrain: Terrain, col_px: ArrayLike, row_px: ArrayLike) -> np.
     Returns
     -------
     array
-        [m]; NaN outside and beside voids.
+        Elevation [m]; NaN outside the raster and beside voids.
     """
     col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
     col, row = col_px.ravel(), row_px.ravel()
@@ -53,37 +53,37 @@ def _around(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> Window:
 
 
 def elevation_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
-    """Elevation of the surface at local places.
+    """Interpolate the elevation of the surface at local places.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
     east_m, north_m : array
-        [m]; broadcast together.
+        Local coordinates [m]; broadcast together.
 
     Returns
     -------
     array
-        [m]; NaN outside and beside voids.
+        Elevation [m]; NaN outside the raster and beside voids.
     """
     return sample_pixels(terrain, *frame.to_pixel(east_m, north_m))
 
 
 def normal_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: ArrayLike) -> np.ndarray:
-    """Unit normal of the surface at local places.
+    """Give the unit normal of the surface at local places.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
     east_m, north_m : (N,) arrays
-        [m].
+        Local coordinates [m].
 
     Returns
     -------
     (3, N) array
-        East, north, up; from central differences over one cell, NaN where an elevation is unknown.
+        Normal (east, north, up) from central differences over one cell; NaN where an elevation is unknown.
     """
     east_m, north_m = np.asarray(east_m, float), np.asarray(north_m, float)
     step = frame.cell_m
@@ -95,14 +95,15 @@ def normal_at(terrain: Terrain, frame: LocalFrame, east_m: ArrayLike, north_m: A
 
 
 def incidence_deg(normal: np.ndarray, azimuth_deg: ArrayLike, elevation_deg: ArrayLike) -> np.ndarray:
-    """Angle between the surface's normal and the direction back to the eye [degrees]: 0 head-on, 90 grazing.
+    """Give the angle between the surface's normal and the direction to the eye [degrees]: 0 head-on, 90 grazing.
 
     Parameters
     ----------
     normal : (3, N) array
         Unit normal (east, north, up).
     azimuth_deg, elevation_deg : (N,) arrays
-        Direction of the ray from the eye to the surface [degrees].
+        Azimuth, clockwise from north, and elevation angle, up positive, of the ray from the eye to the surface
+        [degrees].
     """
     azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
     back = -np.stack([np.cos(elevation) * np.sin(azimuth), np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
@@ -110,14 +111,15 @@ def incidence_deg(normal: np.ndarray, azimuth_deg: ArrayLike, elevation_deg: Arr
 
 
 NODE_CELLS = 16
-"""Local places are exact at every so manyth DEM cell and interpolated between: frames bend over kilometres."""
+"""Spacing of the nodes at which local places are exact [cells]; between them interpolation is enough, because frames
+bend over kilometres."""
 
 GRAZING_COSINE = 0.02
-"""Beyond 88.9 degrees of incidence the distance along the line of sight is not told apart from infinite."""
+"""Smallest cosine used: above 88.9 degrees of incidence, the sampling distance along the line of sight is capped."""
 
 
 def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them.
+    """Give the local places of scattered DEM pixels of one tile, exact on nodes and interpolated between them.
 
     Parameters
     ----------
@@ -128,7 +130,7 @@ def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[n
     Returns
     -------
     east_m, north_m : (N,) arrays
-        [m].
+        Local coordinates [m].
     """
     if frame.remainder_px is None:
         return frame.to_local(col, row)
@@ -141,7 +143,7 @@ def local_places(frame: LocalFrame, row: np.ndarray, col: np.ndarray) -> tuple[n
 
 
 def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Elevations around scattered DEM pixels of one tile.
+    """Read the elevations around scattered DEM pixels of one tile.
 
     Parameters
     ----------
@@ -165,7 +167,7 @@ def patch_around(terrain: Terrain, row: np.ndarray, col: np.ndarray) -> tuple[np
 def normal_of(
     z: np.ndarray, row: np.ndarray, col: np.ndarray, frame: LocalFrame
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Unit normal of the surface at the cells nearest to places of a patch.
+    """Give the unit normal of the surface at the cells nearest to places of a patch.
 
     Parameters
     ----------
@@ -174,11 +176,12 @@ def normal_of(
     row, col : (N,) arrays
         Places in pixels of `z`.
     frame : LocalFrame
-        For the cells' size and direction on the ground.
+        Frame that gives the size and direction of the cells on the ground.
 
     Returns
     -------
     east, north, up : (N,) arrays
+        Components of the normals.
     """
     rows, cols = z.shape
     r = np.clip(np.rint(row).astype(np.intp), 0, rows - 1)
@@ -198,15 +201,15 @@ def normal_of(
 def sampling_distance_m(
     view: View, east: np.ndarray, north: np.ndarray, rise: np.ndarray, normal: Sequence[np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Ground sampling distance: metres of ground per pixel, across and along the line of sight.
+    """Give the ground sampling distance [m per pixel] across and along the line of sight.
 
     Parameters
     ----------
     view : View
     east, north, rise : (N,) arrays
-        Vectors from the eye [m]; `rise` is apparent (`View.rise_of`).
+        Vectors from the eye [m]; `rise` includes curvature and refraction (`View.rise_of`).
     normal : three (N,) arrays
-        Of the surface there (east, north, up).
+        Unit normal of the surface there (east, north, up).
     """
     _, _, depth = to_camera_axes(view.pose, east, north, rise)
     slant = np.sqrt(east**2 + north**2 + rise**2)

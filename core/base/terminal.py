@@ -1,4 +1,4 @@
-"""Progress and lines of text on a stream that may be a terminal, and the wish to stop by Ctrl+C."""
+"""Progress bar and lines of text on a stream that may be a terminal, and cancelling by Ctrl+C."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TextIO
 
 
 class Bar:
-    """Progress on a terminal, and lines of text above it; lines alone where the stream is no terminal.
+    """Progress bar on a terminal, with lines of text above it; only the lines if the stream is not a terminal.
 
     Parameters
     ----------
     stream : text stream
     quiet : bool
-        Say only what went wrong.
+        Print errors only.
     """
 
     WIDTH, PAUSE_S = 30, 0.1
@@ -25,7 +25,7 @@ class Bar:
         self._drawn, self._last_s, self.label = "", 0.0, ""
 
     def report(self, fraction: float) -> None:
-        """Show how much is done, 0 to 1."""
+        """Show the fraction done, 0 to 1."""
         if self._shown and time.monotonic() - self._last_s > self.PAUSE_S:
             self._last_s = time.monotonic()
             full = round(self.WIDTH * min(max(fraction, 0.0), 1.0))
@@ -36,20 +36,20 @@ class Bar:
         return self._stop
 
     def interrupt(self, number: int, frame: FrameType | None) -> None:
-        """Stop at the next checkpoint; at once where the user insists."""
+        """Handle SIGINT: stop at the next checkpoint, or at once if it is sent again."""
         if self._stop:
             raise KeyboardInterrupt
         self._stop = True
 
     def say(self, text: str, always: bool = False) -> None:
-        """Print a line."""
+        """Print a line above the bar."""
         if always or not self._quiet:
             self.clear()
             self._stream.write(f"{text}\n")
             self._stream.flush()
 
     def clear(self) -> None:
-        """Take the bar away."""
+        """Erase the bar."""
         self._draw("")
 
     def _draw(self, text: str) -> None:
@@ -61,7 +61,7 @@ class Bar:
 
 
 class Quietly:
-    """Passes on the wish to stop, and no progress."""
+    """Progress that passes on cancelling and shows nothing."""
 
     def __init__(self, bar: Bar) -> None:
         self.cancelled = bar.cancelled

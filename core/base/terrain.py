@@ -1,7 +1,7 @@
-"""What the stages ask of an elevation model, wherever it is stored.
+"""Interface of an elevation model, independent of its storage.
 
-`core.io.raster` gives a `Terrain` that reads windows of a file; `ArrayTerrain` holds an array in memory, for
-tests, simulated scenes and callers that have the elevations already.
+`core.io.raster.Dem` is a `Terrain` that reads windows of a file. `ArrayTerrain` holds an array in memory, for tests,
+simulated scenes and callers that already have the elevations.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .frame import LocalFrame, tabulate_frame
 
 @dataclass(frozen=True)
 class Window:
-    """A rectangle of whole cells: first row and column, and how many."""
+    """A rectangle of whole cells, given by its first row and column and the numbers of rows and columns."""
 
     row: int
     col: int
@@ -26,7 +26,7 @@ class Window:
     cols: int
 
     def clipped(self, shape: tuple[int, int]) -> Window:
-        """Cut to a raster of `shape` (rows, columns); may come out empty (rows or cols 0)."""
+        """Clip to a raster of `shape` (rows, columns); the result may be empty (rows or cols 0)."""
         row, col = max(self.row, 0), max(self.col, 0)
         rows = max(min(self.row + self.rows, shape[0]) - row, 0)
         cols = max(min(self.col + self.cols, shape[1]) - col, 0)
@@ -34,56 +34,56 @@ class Window:
 
 
 class Terrain:
-    """An elevation model: its size, its cells by window, and the local frame around a position.
+    """An elevation model, which gives its size, its cells by window, and the local frame around a position.
 
-    A terrain of one's own derives from this class and gives `shape`, `read` and `frame`. Terrains are compared and
-    hashed by identity, so that results can be kept by the terrain that they belong to.
+    Other kinds of terrain derive from this class and provide `shape`, `read` and `frame`. Terrains are compared and
+    hashed by identity, so that results can be cached for the terrain to which they belong.
     """
 
     shape: tuple[int, int]
 
     def read(self, window: Window) -> np.ndarray:
-        """Elevations of the window as float32 (rows, cols) [m]; NaN where the raster has no data.
+        """Read the elevations of a window as float32 (rows, cols) [m]; NaN where the raster has no data.
 
         The window must lie inside the raster.
         """
         raise NotImplementedError
 
     def frame(self, longitude_deg: float, latitude_deg: float, radius_m: float) -> LocalFrame:
-        """Local frame around a position.
+        """Make the local frame around a position.
 
         Parameters
         ----------
         longitude_deg, latitude_deg : float
-            WGS 84 [degrees].
+            WGS 84 position [degrees].
         radius_m : float
-            How far the frame has to reach [m].
+            Distance to which the frame must reach [m].
         """
         raise NotImplementedError
 
     def read_into(self, window: Window, out: np.ndarray) -> None:
-        """Read a window into a (rows, cols) float32 array, whose memory may lie in any order.
+        """Read a window into a (rows, cols) float32 array, whose memory may be in any order.
 
-        Allocating memory costs more than filling it, so callers that read much pass the same array again. A terrain
+        Allocating memory costs more than filling it, so callers that read often pass the same array again. A terrain
         that can fill the array directly overrides this method and saves the copy.
         """
         out[...] = self.read(window)
 
     def read_transient(self, window: Window) -> np.ndarray:
-        """Read as `read` does, into memory that the next reading may overwrite; the caller must not write to it."""
+        """Read like `read`, but into memory that the next call may overwrite; the caller must not write to it."""
         return self.read(window)
 
 
 @dataclass(frozen=True)
 class Observer:
-    """Where the camera stands.
+    """Position of the camera.
 
     Attributes
     ----------
     longitude_deg, latitude_deg : float
-        WGS 84 [degrees].
+        WGS 84 position [degrees].
     eye_height_m : float
-        Above the terrain model's surface [m]; used where `eye_elevation_m` is None.
+        Height of the eye above the surface of the terrain model [m]; used if `eye_elevation_m` is None.
     eye_elevation_m : float or None
         Absolute elevation of the eye in the DEM's height system [m].
     """
@@ -101,12 +101,12 @@ class ArrayTerrain(Terrain):
     Attributes
     ----------
     elevation_m : (R, C) float32 array
-        Row 0 is the northernmost [m].
+        Elevations [m]; row 0 is the northernmost.
     cell_m : float
         Side of a cell [m].
     longitude_deg, latitude_deg : float
-        WGS 84 position given to the centre of the array [degrees]. Longitudes and latitudes of other places
-        follow by the plate carree of this latitude, which is all that synthetic terrain needs.
+        WGS 84 position of the centre of the array [degrees]. Longitudes and latitudes of other places follow from
+        the plate carree projection at this latitude, which is sufficient for synthetic terrain.
     """
 
     elevation_m: np.ndarray
@@ -135,7 +135,15 @@ class ArrayTerrain(Terrain):
         return self.elevation_m[rows, window.col : window.col + window.cols].astype(np.float32)
 
     def frame(self, longitude_deg: float, latitude_deg: float, radius_m: float) -> LocalFrame:
-        """See `Terrain.frame`."""
+        """See `Terrain.frame`.
+
+        Parameters
+        ----------
+        longitude_deg, latitude_deg : float
+            WGS 84 position [degrees].
+        radius_m : float
+            Distance to which the frame must reach [m].
+        """
         col, row = self.pixel_of(longitude_deg, latitude_deg)
         return tabulate_frame(
             longitude_deg,
@@ -148,32 +156,27 @@ class ArrayTerrain(Terrain):
     def local_of(
         self, observer: Observer, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Local place of a position.
+        """Give the true (east, north) of positions relative to an observer [m].
 
         Parameters
         ----------
         observer : Observer
-            The origin.
+            Origin of the local metres.
         longitude_deg, latitude_deg : float or array
-            WGS 84 [degrees].
-
-        Returns
-        -------
-        east_m, north_m : array
-            True east and north of the observer [m].
+            WGS 84 positions [degrees].
         """
         frame = self.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
         return frame.to_local(*self.pixel_of(longitude_deg, latitude_deg))
 
     def pixel_of(self, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
-        """(col, row) of a position [pixels]."""
+        """Give the (col, row) of WGS 84 positions [pixels]."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
         col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(np.radians(self.latitude_deg))
         return col, (rows - 1) / 2 - (latitude_deg - self.latitude_deg) * per_degree
 
     def position_of(self, col_px: FloatOrArray, row_px: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
-        """(longitude, latitude) of a pixel [degrees]; inverse of `pixel_of`."""
+        """Give the (longitude, latitude) of pixels [degrees]; the inverse of `pixel_of`."""
         rows, cols = self.shape
         per_degree = self.METRES_PER_DEGREE / self.cell_m
         longitude = self.longitude_deg + (col_px - (cols - 1) / 2) / per_degree / np.cos(np.radians(self.latitude_deg))
@@ -181,24 +184,25 @@ class ArrayTerrain(Terrain):
 
 
 def bilinear(elevation_m: np.ndarray, row_px: ArrayLike, col_px: ArrayLike) -> np.ndarray:
-    """Sample an array between its cell centres.
+    """Interpolate an array bilinearly between its cell centres.
 
-    This function knows of voids and edges, and serves all that is not named here. For speed `base.frame`,
-    `horizon.pieces`, `horizon.sky_view`, `mapping.march` and `mapping.drape` interpolate in their own loops; pictures
-    are sampled by `base.imaging.sample_bilinear`, simulated scenes by `simulate.cast.sample_field`. Each says why.
+    This function handles voids and edges, and is used everywhere except in the following places. For speed,
+    `base.frame`, `horizon.pieces`, `horizon.sky_view`, `mapping.march` and `mapping.drape` interpolate in their own
+    loops; pictures are sampled by `base.imaging.sample_bilinear` and simulated scenes by `simulate.cast.sample_field`.
+    Each of these gives its reason.
 
     Parameters
     ----------
     elevation_m : (R, C) array
-        [m], NaN where unknown.
+        Values, such as elevations [m]; NaN where unknown.
     row_px, col_px : array
-        Pixels, the first cell's centre at 0.
+        Points [pixels, the centre of the first cell at 0].
 
     Returns
     -------
     array
-        [m]; NaN outside the cell centres' hull (half a cell of tolerance at the edge, where the nearest row or
-        column is held) and where any cell with weight is unknown.
+        Values in the unit of the array; NaN outside the hull of the cell centres (half a cell of tolerance at the edge,
+        where the nearest row or column is used) and where any cell with a non-zero weight is unknown.
     """
     rows, cols = elevation_m.shape
     row_px, col_px = np.asarray(row_px, float), np.asarray(col_px, float)
@@ -218,7 +222,7 @@ def bilinear(elevation_m: np.ndarray, row_px: ArrayLike, col_px: ArrayLike) -> n
 
 
 def ground_elevation_m(terrain: Terrain, frame: LocalFrame) -> float:
-    """Elevation of the terrain under the frame's observer [m].
+    """Give the elevation of the terrain at the frame's observer [m].
 
     Raises
     ------
@@ -239,13 +243,13 @@ def ground_elevation_m(terrain: Terrain, frame: LocalFrame) -> float:
 
 
 def eye_elevation_m(terrain: Terrain, frame: LocalFrame, observer: Observer) -> float:
-    """Absolute elevation of the observer's eye [m]: as given, else the terrain's surface plus the eye height.
+    """Give the absolute elevation of the observer's eye [m]: as given, else the surface plus the eye height.
 
     Parameters
     ----------
     terrain : Terrain
     frame : LocalFrame
-        Around the observer.
+        Frame around the observer.
     observer : Observer
 
     Raises

@@ -1,7 +1,8 @@
-"""How unsure a pose is, and draws from that doubt.
+"""Uncertainty of a pose, and random draws from it.
 
-Draws are antithetic and whitened: their mean is the pose itself and their covariance exactly the given one, so that
-a few dozen give the moments of a linear map without sampling noise, and still feel a surface's bends and edges.
+Draws are antithetic and whitened: their mean is the pose itself and their covariance is exactly the given one. A few
+dozen therefore give the moments of a linear map without sampling noise, and still respond to bends and edges of a
+surface.
 """
 
 from __future__ import annotations
@@ -16,31 +17,31 @@ Z_90 = 1.6448536269514722
 """A normal variable stays within this many standard deviations with probability 0.9."""
 
 TYPICAL_POSITION_ERROR_M = 8.0
-"""Standard deviation of a phone's GPS under open sky, along each axis [m]."""
+"""Standard deviation of a phone's GPS position under open sky, along each axis [m]."""
 
 RADIUS_PER_AXIS = 1.5096
-"""A radius that holds 68 % of places is this many standard deviations of one coordinate (Rayleigh)."""
+"""Radius that contains 68 % of the positions, in standard deviations of one coordinate (Rayleigh)."""
 
 PARAMETERS = ("heading_deg", "pitch_deg", "roll_deg", "log_focal", "east_m", "north_m", "height_m")
 
 
 @dataclass(frozen=True)
 class PoseUncertainty:
-    """Standard deviations of everything between a pixel and its place on the map.
+    """Standard deviations of all quantities that relate a pixel to its place on the map.
 
     Attributes
     ----------
     heading_deg, pitch_deg, roll_deg : float
-        Of the pose [degrees].
+        Standard deviations of heading, pitch and roll [degrees].
     focal_relative : float
-        Of the focal length, as a share of it, at most 0.3.
+        Standard deviation of the focal length, as a share of it, at most 0.3.
     position_m : float
-        Of the eye's place, east and north each [m].
+        Standard deviation of the eye's position, along east and north each [m].
     eye_m : float
-        Of the eye's elevation [m].
+        Standard deviation of the eye's elevation [m].
     dem_m : float
-        Vertical error of the DEM [m]: of a cell against the terrain that could hide it, taken as constant over the
-        part of a ray near its end.
+        Standard deviation of the DEM's vertical error [m]: of a cell relative to the terrain that could hide it, taken
+        as constant over the part of a ray near its end.
     """
 
     heading_deg: float = 0.5
@@ -59,7 +60,7 @@ class PoseUncertainty:
 
     @property
     def sigmas(self) -> np.ndarray:
-        """(7,) in the order of `PARAMETERS`; the last is the eye's height against the terrain at the ray's end."""
+        """Standard deviations (7,) of `PARAMETERS`; the last is of the eye's height relative to the ray's end."""
         height = float(np.hypot(self.eye_m, self.dem_m))
         return np.array(
             [self.heading_deg, self.pitch_deg, self.roll_deg, self.focal_relative]
@@ -67,13 +68,13 @@ class PoseUncertainty:
         )
 
     def with_heading_interval(self, heading_lo_deg: float, heading_hi_deg: float) -> PoseUncertainty:
-        """Take the heading's spread from its 90 % interval, clockwise from lo to hi [degrees]."""
+        """Derive the heading's standard deviation from its 90 % interval, clockwise from lo to hi [degrees]."""
         width = difference(heading_hi_deg, heading_lo_deg)
         width = width if width >= 0 else width + 360.0
         return replace(self, heading_deg=float(width / (2 * Z_90)))
 
     def with_position_radius(self, radius_m: float) -> PoseUncertainty:
-        """Take the position's spread from the radius that holds the true place with probability 0.68 [m]."""
+        """Derive the position's standard deviation from the radius [m] that holds 68 % of the positions."""
         return replace(self, position_m=radius_m / RADIUS_PER_AXIS)
 
 
@@ -86,11 +87,12 @@ def pose_draws(uncertainty: PoseUncertainty, pairs: int = 24, seed: int = 20) ->
     pairs : int
         Half the number of draws, at least 7.
     seed : int
+        Seed of the random generator.
 
     Returns
     -------
     (2 * pairs, 7) array
-        In the order and units of `PARAMETERS`; mean 0 and covariance diag(sigmas^2) exactly.
+        Deviations in the order and units of `PARAMETERS`, with mean 0 and covariance diag(sigmas^2) exactly.
     """
     if pairs < len(PARAMETERS):
         raise ValueError(f"at least {len(PARAMETERS)} pairs of draws are needed, not {pairs}")

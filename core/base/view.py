@@ -1,4 +1,4 @@
-"""A photograph of known pose on a terrain, and the way between ground, direction and pixel."""
+"""A posed photograph on a terrain, and conversion between ground, direction and pixel."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ class View:
     ----------
     photo : PosedPhoto
     frame : LocalFrame
-        Around the eye; places below are its local metres (east, north).
+        Frame around the eye; places are given in its local metres (east, north).
     eye_elevation_m : float
-        Absolute, in the DEM's height system [m].
+        Absolute elevation of the eye in the DEM's height system [m].
     refraction_coefficient : float
         See `core.base.curvature`.
     """
@@ -37,39 +37,39 @@ class View:
 
     @property
     def camera(self) -> Camera:
-        """Of the full upright picture."""
+        """Camera of the full upright picture."""
         return self.photo.camera
 
     @property
     def pose(self) -> Pose:
-        """Where the camera looks."""
+        """Direction and roll of the camera."""
         return self.photo.pose
 
     @property
     def uncertainty(self) -> PoseUncertainty:
-        """How well all this is known."""
+        """Uncertainty of pose, focal length, position and heights."""
         return self.photo.uncertainty
 
     def ray_of(self, x_px: ArrayLike, y_px: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Direction of pixels: true azimuth and elevation angle [degrees]."""
+        """Give the direction of pixels: true azimuth and elevation angle above the horizontal [degrees]."""
         return unproject(self.camera, self.pose, x_px, y_px)
 
     def direction_of(
         self, east_m: ArrayLike, north_m: ArrayLike, elevation_m: ArrayLike
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give the direction of places as the eye sees them.
+        """Give the direction in which the eye sees places.
 
         Parameters
         ----------
         east_m, north_m : array
-            Local metres [m].
+            Local coordinates [m].
         elevation_m : array
-            Absolute, in the DEM's height system [m].
+            Absolute elevation in the DEM's height system [m].
 
         Returns
         -------
         azimuth_deg, elevation_deg, distance_m : array
-            True azimuth and apparent elevation angle [degrees], ground distance [m].
+            True azimuth and apparent elevation angle, up positive [degrees], and ground distance [m].
         """
         distance = np.hypot(east_m, north_m)
         azimuth = np.mod(np.degrees(np.arctan2(east_m, north_m)), 360.0)
@@ -77,14 +77,14 @@ class View:
         return azimuth, elevation, distance
 
     def pixel_of(self, east_m: ArrayLike, north_m: ArrayLike, elevation_m: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Give the pixels (x, y) of places, whether or not anything hides them; NaN behind the camera.
+        """Give the pixels (x, y) of places, whether or not terrain hides them; NaN behind the camera.
 
         Parameters
         ----------
         east_m, north_m : array
-            Local metres [m].
+            Local coordinates [m].
         elevation_m : array
-            Absolute, in the DEM's height system [m].
+            Absolute elevation in the DEM's height system [m].
         """
         return project_vectors(self.camera, self.pose, east_m, north_m, self.rise_of(east_m, north_m, elevation_m))
 
@@ -94,9 +94,9 @@ class View:
         Parameters
         ----------
         east_m, north_m : array
-            Local metres [m].
+            Local coordinates [m].
         elevation_m : array
-            Absolute, in the DEM's height system [m].
+            Absolute elevation in the DEM's height system [m].
         """
         drop = apparent_drop_m(np.hypot(east_m, north_m), self.refraction_coefficient)
         return np.subtract(elevation_m, self.eye_elevation_m) - drop
@@ -107,7 +107,7 @@ class View:
 
     @property
     def wedge_deg(self) -> tuple[float, float]:
-        """(centre azimuth, width) of the picture's outline [degrees]; width 360 where a pole is in the picture."""
+        """Centre azimuth and width of the picture's outline [degrees]; the width is 360 if it shows zenith or nadir."""
         x, y = outline_px(self.camera)
         azimuth, elevation = self.ray_of(x, y)
         if elevation.max() > 89 or elevation.min() < -89 or _holds_a_pole(self):
@@ -122,7 +122,7 @@ def _holds_a_pole(view: View) -> bool:
 
 
 def outline_px(camera: Camera, per_side: int = 33) -> tuple[np.ndarray, np.ndarray]:
-    """(x, y) of the picture's outer edge, clockwise from the upper left, closed [pixels]."""
+    """Give (x, y) of the picture's outer edge, clockwise from the upper left and closed [pixels]."""
     t = np.linspace(0.0, 1.0, per_side)[:-1]
     x = np.concatenate([t, np.ones_like(t), 1 - t, np.zeros_like(t), [0.0]])
     y = np.concatenate([np.zeros_like(t), t, np.ones_like(t), 1 - t, [0.0]])
@@ -142,7 +142,7 @@ def open_view(
     terrain : Terrain
     photo : PosedPhoto
     max_distance_m : float
-        How far the view has to reach [m].
+        Distance to which the view must reach [m].
     refraction_coefficient : float
         See `core.base.curvature`.
 

@@ -1,4 +1,4 @@
-"""The result of a viewshed, and the array that collects it: what engine, files, figures and shells exchange."""
+"""The result of a viewshed, which engine, files, figures and shells exchange, and the sinks that collect it."""
 
 from __future__ import annotations
 
@@ -13,23 +13,24 @@ from .terrain import Window
 COUNTED_ROWS = 1024
 
 VISIBLE, UNKNOWN = 1, 255
-"""Values of a cell that is seen, and of one of which that is not known; 0 is all else."""
+"""Values of a cell that is seen, and of a cell whose visibility is unknown; all other cells are 0."""
 
 
 @dataclass(frozen=True, eq=False)
 class Viewshed:
-    """Which cells are seen.
+    """Visibility of the cells of a window.
 
     Attributes
     ----------
     window : Window
-        Part of the raster that the values cover; outside it nothing is in the sector.
-    values : (rows, cols) uint8 array, or what reads like one
-        1 seen; 0 not seen or outside sector and range; 255 unknown (no data there, or between there and the eye).
-        What the caller's sink holds, where there is one.
+        Part of the raster that the values cover; no cell outside it is in the sector.
+    values : (rows, cols) uint8 array, or an object that can be read like one
+        1 seen; 0 not seen, or outside sector or range; 255 unknown (no data there, or between there and the eye).
+        If the caller gave a sink, its values.
     frame : LocalFrame
-        True directions and distances of the cells.
+        Frame that gives the true directions and distances of the cells.
     eye_elevation_m : float
+        Absolute elevation of the eye [m].
     options : core.viewshed.viewshed.ViewshedOptions
     sector : core.viewshed.sector.Sector
     """
@@ -43,12 +44,12 @@ class Viewshed:
 
     @property
     def visible(self) -> np.ndarray:
-        """(rows, cols) bool: cells that are certainly seen."""
+        """Cells that are certainly seen, (rows, cols) bool."""
         return self.values == VISIBLE
 
     @property
     def seen_cells(self) -> int | None:
-        """Number of cells that are certainly seen; None where a sink holds them elsewhere."""
+        """Number of cells that are certainly seen; None if a sink keeps the values elsewhere."""
         if self.values is None:
             return None
         strips = range(0, self.window.rows, COUNTED_ROWS)
@@ -63,19 +64,19 @@ class Viewshed:
 
 
 class Sink:
-    """Takes the results of a sweep cell by cell; one of one's own (a file) derives from this class.
+    """Receiver of the results of a sweep; other kinds, such as a file, derive from this class.
 
-    Every cell is given once, so that adding is writing.
+    Every cell is given once, so that adding is the same as writing.
 
     Attributes
     ----------
     dtype : numpy.dtype
-        Of the values given: uint8 for `VISIBLE` and `UNKNOWN`, uint32 with the marks of several sectors, a float
+        Type of the values: uint8 for `VISIBLE` and `UNKNOWN`, uint32 with the marks of several sectors, a float
         type for heights above the line of sight.
     wants_clearance : bool
-        Heights above the line of sight are wanted rather than seen or not seen.
-    values : (rows, cols) array, or what reads like one, or None
-        The results, where they are in memory.
+        Whether the sink takes heights above the line of sight instead of seen or not seen.
+    values : (rows, cols) array, or an object that can be read like one, or None
+        The results, if they are in memory.
     """
 
     dtype = np.dtype(np.uint8)
@@ -92,20 +93,22 @@ class Sink:
         Parameters
         ----------
         row, col : int
-            Of the whole raster.
+            Indices in the whole raster.
         value : int
+            New value of the cell.
         """
         raise NotImplementedError
 
 
 class ArraySink(Sink):
-    """Collects results in memory.
+    """Sink that collects the results in memory.
 
     Parameters
     ----------
     window : Window
-        Of the raster.
+        Part of the raster to collect.
     dtype : numpy.dtype
+        Type of the values; a float type collects heights above the line of sight.
     """
 
     def __init__(self, window: Window, dtype: Any = np.uint8) -> None:
@@ -120,5 +123,13 @@ class ArraySink(Sink):
         np.add(place, values, out=place)
 
     def set(self, row: int, col: int, value: int) -> None:
-        """See `Sink.set`."""
+        """See `Sink.set`.
+
+        Parameters
+        ----------
+        row, col : int
+            Indices in the whole raster.
+        value : int
+            New value of the cell.
+        """
         self.values[row - self.window.row, col - self.window.col] = value

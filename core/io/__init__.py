@@ -1,1 +1,1 @@
-"""The only place of the core that touches files: photographs, rasters, coordinate systems."""
+"""All file access of the core: photographs, rasters, vector files and coordinate systems."""

@@ -1,7 +1,7 @@
-"""Coordinate reference systems: points to and from WGS 84, local ground frames, grid convergence.
+"""Coordinate reference systems: conversion of points to and from WGS 84, and local ground frames.
 
 A CRS is given as WKT or anything else that OSR reads ("EPSG:3413"). Coordinates are always in the traditional
-order: longitude or easting first.
+order, with longitude or easting first.
 """
 
 from __future__ import annotations
@@ -9,15 +9,16 @@ from __future__ import annotations
 import numpy as np
 from osgeo import osr
 
+from ..base.angles import wrap_180
 from ..base.errors import TerrainError
 from ..base.messages import Message
 from .gdal_quiet import quiet_gdal
 
 WGS84 = "EPSG:4326"
-"""As all here, longitude first. To this one PROJ knows the way from a CRS on the datum WGS 84 without a search, and so
-10 ms faster than to OGC:CRS84, which differs by its name and the order of its axes only."""
+"""Used with longitude first, like all CRSs here. From a CRS on the datum WGS 84, PROJ finds the transformation to this
+one without a search and so 10 ms faster than to OGC:CRS84, which differs only in its name and the order of its axes."""
 CYLINDRICAL = ("Mercator", "Equirectangular", "Cylindrical", "Miller", "Pseudo-Mercator", "Pseudo_Mercator")
-"""Projection methods in whose plane the world repeats itself along x."""
+"""Projection methods in whose plane the world repeats along x."""
 
 
 def spatial_reference(crs):
@@ -26,13 +27,13 @@ def spatial_reference(crs):
     Raises
     ------
     TerrainError
-        PROJ does not understand `crs`.
+        If OSR does not recognise `crs`.
     """
     reference = osr.SpatialReference()
     with quiet_gdal():
         try:
             failed = reference.SetFromUserInput(crs)
-        except (RuntimeError, TypeError):  # TypeError: text that is no UTF-8, from a damaged header
+        except (RuntimeError, TypeError):  # TypeError: text that is not UTF-8, from a damaged header
             failed = True
     if failed:
         raise TerrainError(
@@ -43,7 +44,7 @@ def spatial_reference(crs):
 
 
 def _horizontal(crs):
-    """Leave out a compound CRS's heights: a missing geoid grid must not cost us the plan position."""
+    """Drop the heights of a compound CRS, so that a missing geoid grid does not prevent transforming x and y."""
     reference = spatial_reference(crs)
     if reference.IsCompound():
         reference.StripVertical()
@@ -51,7 +52,7 @@ def _horizontal(crs):
 
 
 def local_plane(longitude_deg, latitude_deg):
-    """CRS of true east and north on the ellipsoid around a place: azimuthal equidistant on WGS 84, metres."""
+    """Give the CRS of true east and north around a place: azimuthal equidistant on WGS 84, in metres."""
     return f"+proj=aeqd +lat_0={float(latitude_deg)!r} +lon_0={float(longitude_deg)!r} +datum=WGS84 +units=m +no_defs"
 
 
@@ -61,8 +62,9 @@ class Transformer:
     Parameters
     ----------
     source, target : str
+        WKT, or what `spatial_reference` takes.
     area_deg : (west, south, east, north) or None
-        WGS 84 area of interest [degrees]: lets PROJ settle on one datum shift for all points.
+        WGS 84 area of interest [degrees], with which PROJ chooses one datum shift for all points.
     """
 
     def __init__(self, source, target, area_deg=None):
@@ -86,7 +88,7 @@ class Transformer:
             )
 
     def __call__(self, x, y):
-        """Map coordinates; what lies outside the target's domain becomes NaN. Shapes broadcast together."""
+        """Transform coordinates, which broadcast together; NaN outside the domain of the target."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         with quiet_gdal():
             points = self._transformation.TransformPoints(np.column_stack([x.ravel(), y.ravel()]).tolist())
@@ -103,12 +105,12 @@ def from_wgs84(crs, longitude_deg, latitude_deg):
     crs : str
         WKT, or any other text that GDAL understands.
     longitude_deg, latitude_deg : float or array
-        [degrees].
+        WGS 84 positions [degrees].
 
     Returns
     -------
     x, y : float or array
-        In the units of the CRS; NaN where it is not defined.
+        Coordinates [units of the CRS]; NaN where the transformation is not defined.
     """
     x, y = Transformer(WGS84, crs)(longitude_deg, latitude_deg)
     return x[()], y[()]
@@ -122,22 +124,22 @@ def to_wgs84(crs, x, y):
     crs : str
         WKT, or any other text that GDAL understands.
     x, y : float or array
-        In the units of the CRS.
+        Coordinates [units of the CRS].
 
     Returns
     -------
     longitude_deg, latitude_deg : float or array
-        [degrees]; NaN where the transformation is not defined.
+        WGS 84 positions [degrees]; NaN where the transformation is not defined.
     """
     longitude_deg, latitude_deg = Transformer(crs, WGS84)(x, y)
     return longitude_deg[()], latitude_deg[()]
 
 
 def x_period(crs):
-    """Distance along x after which the CRS repeats the world, in its own units; None if it does not.
+    """Give the distance along x after which the CRS repeats the world [units of the CRS]; None if it does not.
 
-    360 degrees for longitudes; the equator's image for Mercator and the like. Used to follow a frame across the
-    antimeridian.
+    This is 360 degrees for longitudes, and the length of the equator's image for Mercator and similar projections. It
+    is used to continue a frame across the antimeridian.
     """
     reference = _horizontal(crs)
     if reference.IsGeographic():
@@ -148,3 +150,31 @@ def x_period(crs):
     centre_deg = reference.GetNormProjParm("central_meridian", 0.0)
     x, _ = from_wgs84(crs, np.array([centre_deg, centre_deg + 1.0]), np.zeros(2))
     return None if not np.isfinite(x).all() else abs(x[1] - x[0]) * 360
+
+
+def area_around(longitude_deg, latitude_deg, reach_deg):
+    """Make the box around a position for PROJ's choice of a datum shift; west > east if it spans the antimeridian.
+
+    Parameters
+    ----------
+    longitude_deg, latitude_deg : float
+        WGS 84 position [degrees].
+    reach_deg : float
+        Distance from the position to the northern and southern edge [degrees].
+
+    Returns
+    -------
+    west, south, east, north : float
+        WGS 84 [degrees].
+    """
+    south, north = max(latitude_deg - reach_deg, -90.0), min(latitude_deg + reach_deg, 90.0)
+    widest = max(abs(south), abs(north))
+    if widest > 85:
+        return -180.0, south, 180.0, north
+    across = reach_deg / np.cos(np.radians(widest))
+    return (
+        float(wrap_180(longitude_deg - across)),
+        float(south),
+        float(wrap_180(longitude_deg + across)),
+        float(north),
+    )

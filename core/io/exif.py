@@ -1,8 +1,8 @@
-"""Read the EXIF tags that the method needs, whichever reader is installed.
+"""Read the EXIF tags that the method needs, with any of three readers.
 
-Three readers know the same few tags and give them in one form, so that nothing after this module depends on the
-one that happened to be there: ExifRead, else Pillow (with pillow-heif for HEIC), else GDAL. A reader that fails or
-finds nothing hands over to the next; damaged metadata is no reason to refuse a picture.
+The readers give the same few tags in the same form, so that nothing outside this module depends on which of them is
+installed. They are tried in this order: ExifRead, Pillow (with pillow-heif for HEIC), GDAL. If one fails or finds
+nothing, the next one is tried. Damaged metadata is not a reason to refuse a picture.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ TAGS = {
     ("GPS", 0x0011): "GPSImgDirection",
     ("GPS", 0x001F): "GPSHPositioningError",
 }
-"""(directory, number) to the name in Exif 2.32."""
+"""Names in Exif 2.32 by (directory, number)."""
 
 TEXT_TAGS = frozenset(("Make", "Model", "DateTime", "DateTimeOriginal", *(n for n in TAGS.values() if n[-3:] == "Ref")))
 TEXT_TAGS -= {"GPSAltitudeRef"}
 MAX_VALUES = 16
-"""No tag we know has more values; damaged counts are cut here."""
+"""Largest number of values that is read for a tag; no known tag has more, but a damaged count may be larger."""
 
 IFD_POINTERS = {"EXIF": 0x8769, "GPS": 0x8825}
 
@@ -56,12 +56,12 @@ def read_tags(path, kind):
     ----------
     path : str
     kind : str
-        As `format_of` gives it.
+        Format as `formats.format_of` gives it.
 
     Returns
     -------
     dict
-        Name to str, or to a tuple of floats (NaN where a fraction's denominator is 0). Empty without metadata.
+        Tags by name, each a str or a tuple of floats (NaN if a fraction's denominator is 0). Empty without metadata.
     """
     for reader in (_by_exifread, _by_pillow, _by_gdal):
         tags = reader(path, kind)
@@ -83,13 +83,13 @@ def _by_exifread(path, kind):
             for key, tag in found.items()
             if (key.split()[0], getattr(tag, "tag", None)) in TAGS
         }
-    except Exception:  # ExifRead meets damaged files with AssertionError, KeyError, struct.error, ...
+    except Exception:  # damaged files: AssertionError, KeyError, struct.error, ...
         return {}
     return _normal(raw)
 
 
 def _silence(name):
-    """Keep a library's log messages off stderr where the host has not asked for them."""
+    """Keep a library's log messages off stderr if the host application has not asked for them."""
     logger = logging.getLogger(name)
     if not logger.handlers:
         logger.addHandler(logging.NullHandler())
@@ -107,14 +107,14 @@ def _by_pillow(path, kind):
             for name, pointer in IFD_POINTERS.items():
                 directories[name] = exif.get_ifd(pointer)
         raw = {tag: directories[key[0]][key[1]] for key, tag in TAGS.items() if key[1] in directories[key[0]]}
-    except Exception:  # Pillow's plugins meet damaged files with SyntaxError, struct.error, OSError, ...
+    except Exception:  # damaged files: SyntaxError, struct.error, OSError, ...
         return {}
     return _normal(raw)
 
 
 def _pillow_exif(pil, path, kind):
     if kind == "jpeg":
-        with available("PIL.JpegImagePlugin").JpegImageFile(path) as picture:  # no bomb check: nothing is decoded
+        with available("PIL.JpegImagePlugin").JpegImageFile(path) as picture:  # nothing is decoded, so no bomb check
             return picture.getexif()
     if kind == "heif":
         exif = pil.Exif()
@@ -125,9 +125,9 @@ def _pillow_exif(pil, path, kind):
 
 
 def _by_gdal(path, kind):
-    """GDAL prints six digits and calls 0/0 zero: enough for a place to some metres, and the last resort."""
+    """Read the tags by GDAL as the last resort: six digits, so positions to some metres, and 0/0 as 0."""
     if kind == "heif" and available("pillow_heif") is not None:
-        return {}  # see pixels._chain
+        return {}  # see `pixels._chain`
     dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
     if dataset is None:
         return {}
@@ -138,8 +138,10 @@ def _by_gdal(path, kind):
 
 
 def _numbers(text):
-    """Undo GDAL's printing: "(43) (28) (2.8)", "112" or "0x00"; a tag that holds no numbers gives none."""
-    text = text.decode("ascii", "replace") if isinstance(text, bytes) else text  # what is no UTF-8 comes as bytes
+    """Parse GDAL's text of numbers, "(43) (28) (2.8)", "112" or "0x00"; empty if the tag contains no numbers."""
+    text = (
+        text.decode("ascii", "replace") if isinstance(text, bytes) else text
+    )  # text that is not UTF-8 is given as bytes
     words = re.findall(r"0x[0-9A-Fa-f]+|[-+.\w]+", text)
     try:
         return [int(word, 16) if word[:2] == "0x" else float(word) for word in words]
@@ -175,8 +177,8 @@ def _floats(value):
 
 
 def _float(value):
-    """Turn a number or a fraction of any reader into a float; x/0 is NaN."""
-    if isinstance(value, tuple) and len(value) == 1:  # how ExifRead gives the floating point types
+    """Convert a number or a fraction from any reader to a float; x/0 is NaN."""
+    if isinstance(value, tuple) and len(value) == 1:  # ExifRead gives floating-point types like this
         value = value[0]
     try:
         return float(value)

@@ -1,8 +1,8 @@
-"""Drawn image features as labelling tools write them: LabelMe, COCO, VIA, GeoJSON in pixels, plain CSV.
+"""Read image features drawn with labelling tools: LabelMe, COCO, VIA, GeoJSON in pixels, plain CSV.
 
-LabelMe, COCO and VIA count from the upper left *corner* of the picture, half a pixel before the centre of the first
-pixel from which this program counts; their places are shifted by that half pixel. CSV and GeoJSON are taken to count
-as this program does, except where all y are negative (see `pixel_features.downward`).
+LabelMe, COCO and VIA place the origin at the upper left *corner* of the picture, half a pixel before the centre of the
+first pixel, which is the origin in this program; their coordinates are shifted by that half pixel. CSV and GeoJSON are
+assumed to have this program's origin, unless all y are negative (see `base.pixel_features.downward`).
 
 References
 ----------
@@ -22,13 +22,12 @@ import numpy as np
 
 from ..base.errors import UnreadableFeaturesError
 from ..base.messages import Message
-from ..base.pixel_features import PixelFeature, downward, open_ring
+from ..base.pixel_features import PixelFeature, downward, ellipse, open_ring
 
 CORNER_PX = 0.5
 MAX_BYTES = 200_000_000
-CIRCLE_CORNERS = 32
 INCOMPLETE = (KeyError, IndexError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
-"""What a file raises that has the form of a format and not its content."""
+"""Errors raised if a file has the form of a format but incomplete content."""
 
 _PHOTO = ("photo", "image", "filename", "file_name", "file", "path", "imagepath", "#filename")
 _X = ("x", "x_px", "px", "pixel_x", "col", "column", "u", "image_x")
@@ -58,7 +57,7 @@ def read_features(path):
         return _from_json(path, text)
     try:
         return _from_csv(path, text)
-    except csv.Error as error:  # a null character, a field of more than 128 kB
+    except csv.Error as error:  # for example a null character, or a field of more than 128 kB
         raise UnreadableFeaturesError(path, _incomplete(error)) from None
 
 
@@ -112,13 +111,13 @@ def _labelme(data):
         if kind == "rectangle":
             points, kind = _box(*points.min(axis=0), *points.max(axis=0)), "polygon"
         elif kind == "circle":
-            points, kind = _circle(points[0], float(np.hypot(*(points[1] - points[0])))), "polygon"
+            points, kind = ellipse(points[0], float(np.hypot(*(points[1] - points[0])))), "polygon"
         elif kind in ("linestrip", "line"):
             kind = "line"
         elif kind in ("point", "points"):
             kind = "point"
         elif kind != "polygon":
-            continue  # masks and the like have no outline
+            continue  # masks and similar shapes have no outline
         features.append(_feature(data.get("imagePath") or "", kind, [points], shape.get("label")))
     return features
 
@@ -131,7 +130,7 @@ def _coco(data):
         photo, label = names.get(entry.get("image_id"), ""), classes.get(entry.get("category_id"), "")
         outline = entry.get("segmentation")
         if isinstance(outline, list) and outline:
-            # Several polygons of one object are separate pieces in COCO, never holes.
+            # Several polygons of one object are separate parts in COCO, never holes.
             features += [_feature(photo, "polygon", [_corner(ring)], label) for ring in outline]
         elif entry.get("keypoints"):
             points = np.asarray(entry["keypoints"], float).reshape(-1, 3)
@@ -157,7 +156,7 @@ def _via(data):
 
 
 def _via_shape(shape):
-    """Kind and parts of a VIA region, or None for an unknown one."""
+    """Give the kind and the parts of a VIA region, or None if it is unknown."""
     name = shape.get("name")
     if name in ("polygon", "polyline"):
         points = _corner(list(zip(shape["all_points_x"], shape["all_points_y"])))
@@ -170,7 +169,7 @@ def _via_shape(shape):
     if name in ("circle", "ellipse"):
         centre = _corner([[shape["cx"], shape["cy"]]])[0]
         radius = shape.get("r", shape.get("rx")), shape.get("r", shape.get("ry"))
-        return "polygon", [_circle(centre, float(radius[0]), float(radius[1]))]
+        return "polygon", [ellipse(centre, float(radius[0]), float(radius[1]))]
     return None
 
 
@@ -228,7 +227,7 @@ def _from_csv(path, text):
             raise UnreadableFeaturesError(
                 path, Message("line {number} has no numbers for x and y. Correct that line.", number=number + 2)
             )
-        # Rows of one group are the vertices of one line or area, in order; without a group each is a point.
+        # Rows of one group are the vertices of one line or area, in order; without a group each row is a point.
         named = (row.get(photo) or "") if photo else ""
         key = (named, row.get(group) or number) if group else (named, number)
         collected.setdefault(key, (row, []))[1].append(place)
@@ -284,12 +283,6 @@ def _corner(points):
 
 def _box(left, top, right, bottom):
     return np.array([[left, top], [right, top], [right, bottom], [left, bottom]])
-
-
-def _circle(centre, radius_x, radius_y=None):
-    turn = 2 * np.pi * np.arange(CIRCLE_CORNERS) / CIRCLE_CORNERS
-    across, down = radius_x * np.sin(turn), -(radius_x if radius_y is None else radius_y) * np.cos(turn)
-    return np.asarray(centre, float) + np.column_stack([across, down])
 
 
 def _first(given):

@@ -1,4 +1,4 @@
-"""What kind of picture a file holds, told by its first bytes; its name may lie."""
+"""Determine a picture's format from its first bytes, because the file name may be wrong."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..base.messages import Message
 from ..base.optional import available
 
 PHOTO_SUFFIXES = (".jpg", ".jpeg", ".jpe", ".jfif", ".heic", ".heif", ".hif")
-"""Names that `list_photos` takes for photographs, in any case."""
+"""Suffixes of the files that `list_photos` takes for photographs, in upper or lower case."""
 
 GDAL_DRIVERS = {"jpeg": "JPEG", "heif": "HEIF", "png": "PNG", "tiff": "GTiff", "webp": "WEBP"}
 
@@ -17,16 +17,17 @@ HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"
 """Major or compatible brands of an ISO 23008-12 file with HEVC pictures."""
 
 MAX_PIXELS = 250_000_000
-"""Larger pictures are refused by their header, before any pixel is decoded: 200 megapixel phones pass, bombs do not."""
+"""Larger pictures are refused by their header, before any pixel is decoded. The limit admits phones with 200 megapixels
+and excludes decompression bombs."""
 
 
 def format_of(path):
-    """Tell 'jpeg', 'heif', 'png', 'tiff' or 'webp' from a file's content.
+    """Determine 'jpeg', 'heif', 'png', 'tiff' or 'webp' from a file's content.
 
     Raises
     ------
     UnreadablePhotoError
-        Missing, not a file, empty, or none of these.
+        If the file is missing, not a regular file, empty, or in none of these formats.
     """
     head = _first_bytes(path)
     if not head:
@@ -51,14 +52,14 @@ def format_of(path):
 
 
 def check_size(path, width_px, height_px):
-    """Refuse pictures of no size or of more than `MAX_PIXELS`.
+    """Refuse pictures without pixels or with more than `MAX_PIXELS`.
 
     Parameters
     ----------
     path : str
-        File of the picture, for the message.
+        Path of the picture, for the error message.
     width_px, height_px : int
-        Size of the picture as stored or upright [pixels].
+        Size of the picture, as stored or upright [pixels].
 
     Raises
     ------
@@ -80,7 +81,7 @@ def check_size(path, width_px, height_px):
 
 def _first_bytes(path, count=64):
     try:
-        if os.path.exists(path) and not os.path.isfile(path):  # a pipe would keep us waiting for ever
+        if os.path.exists(path) and not os.path.isfile(path):  # reading from a pipe could block for ever
             raise UnreadablePhotoError(path, Message("it is a folder or a device, not a file. Check the path."))
         with open(path, "rb") as file:
             return file.read(count)
@@ -100,24 +101,24 @@ def _is_heif(head):
 
 
 def is_photo_name(name):
-    """Return whether a file name looks like a photograph; macOS's `._` companions and hidden files do not."""
+    """Tell whether a file name is that of a photograph; hidden files, as macOS's `._` companions, are not."""
     return not name.startswith(".") and os.path.splitext(name)[1].lower() in PHOTO_SUFFIXES
 
 
 MAX_BOXES = 10_000
-"""A photograph's file has about five boxes at its top; more are an attack on our time."""
+"""Largest number of top-level boxes that is read; a photograph has about five, a hostile file millions."""
 
 MAX_DIRECTORY_BYTES = 64 * 2**20
 
 
 def is_whole(path, empty_allowed=True):
-    """Return whether the boxes of directory and pixels, and all extents of the items, end within the file.
+    """Tell whether the boxes of directory and pixels and all extents of the items of a HEIF file end within the file.
 
     Parameters
     ----------
     path : str
     empty_allowed : bool
-        Whether an extent of no bytes passes: the standard knows such items, GDAL's reader does not survive them.
+        Whether extents of no bytes are accepted. The standard allows such items, but they crash GDAL's reader.
     """
     size = os.path.getsize(path)
     directory = None
@@ -134,7 +135,7 @@ def is_whole(path, empty_allowed=True):
 
 
 def _top_boxes(file, size):
-    """Yield (start, length of the header, length, kind) of the boxes at the top of the file."""
+    """Yield (start, length of the header, length, kind) of the top-level boxes of the file."""
     start = 0
     for _ in range(MAX_BOXES):
         file.seek(start)
@@ -142,12 +143,12 @@ def _top_boxes(file, size):
         if len(head) < 8:
             return
         length, header, kind = int.from_bytes(head[:4], "big"), 8, head[4:8]
-        if length == 1:  # the true length follows as 64 bit
+        if length == 1:  # the true length follows in 64 bits
             length, header = int.from_bytes(head[8:16], "big"), 16
         elif length == 0:  # to the end of the file
             length = size - start
         if length < header:
-            return  # something that a maker appends
+            return  # data that a manufacturer appends
         yield start, header, length, kind
         start += length
         if start >= size:
@@ -179,7 +180,7 @@ def _children(directory):
 
 
 class _Fields:
-    """Big-endian integers from a byte string, one after the other."""
+    """Reader of successive big-endian integers in a byte string."""
 
     def __init__(self, content):
         self.content, self.place = content, 0

@@ -1,4 +1,4 @@
-"""GDAL without its noise: no messages on stderr, no process-wide exception switch."""
+"""Use of GDAL without messages on stderr and without changing its process-wide settings permanently."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from contextlib import contextmanager
 from ..base.optional import available
 
 CACHE_BYTES = 8 * 2**20, 64 * 2**20
-"""Least and most of GDAL's block cache while a window passes through; its own default is 5 % of the memory. The less
-of it is touched, the faster: on an uncompressed file 8 MB take a third of the time of 64."""
+"""Smallest and largest size of GDAL's block cache during a transfer [bytes]; its default is 5 % of the memory. A
+smaller cache is faster: on an uncompressed file, 8 MB take a third of the time of 64 MB."""
 
 
 @contextmanager
 def quiet_gdal(warnings=False):
     """Collect GDAL's failures (and warnings, if asked for) in the yielded list instead of printing them.
 
-    GDAL's own exceptions stay as the host application has set them; callers check for None and catch RuntimeError.
+    GDAL's use of exceptions stays as the host application has set it; callers check for None and catch RuntimeError.
     """
     gdal = available("osgeo.gdal")
     least, messages = gdal.CE_Warning if warnings else gdal.CE_Failure, []
@@ -23,7 +23,7 @@ def quiet_gdal(warnings=False):
     def collect(*given):
         try:
             severity, _, text = given
-        except ValueError:  # GDAL before 3.7 makes of a text that is no UTF-8 no arguments at all and a pending error
+        except ValueError:  # for text that is not UTF-8, GDAL before 3.7 passes no arguments and leaves a pending error
             severity, text = gdal.CE_Failure, "a message that cannot be read"
         if severity >= least:
             messages.append((text.decode("utf-8", "replace") if isinstance(text, bytes) else text).strip())
@@ -36,7 +36,7 @@ def quiet_gdal(warnings=False):
 
 
 def open_quietly(path, drivers=()):
-    """Open a raster for reading, or give None where GDAL is missing or cannot."""
+    """Open a raster for reading; None if GDAL is missing or cannot open it."""
     gdal = available("osgeo.gdal")
     if gdal is None:
         return None
@@ -49,10 +49,10 @@ def open_quietly(path, drivers=()):
 
 @contextmanager
 def direct_reading():
-    """Let uncompressed TIFFs that are opened meanwhile be read past GDAL's block cache.
+    """Make GDAL bypass its block cache for uncompressed TIFFs that are opened within the block.
 
-    A small window of them then costs its own bytes, not those of the blocks that it touches. Other files are read as
-    ever.
+    Reading a small window of them then costs only its own bytes, not those of the blocks that it overlaps. Other files
+    are not affected.
     """
     gdal = available("osgeo.gdal")
     name = "GTIFF_DIRECT_IO"
@@ -69,12 +69,13 @@ def direct_reading():
 
 @contextmanager
 def small_cache(row_of_blocks=CACHE_BYTES[1]):
-    """Hold GDAL's block cache small while data pass through, and leave it as the host had it.
+    """Limit GDAL's block cache within the block, and restore the host's setting afterwards.
 
     Parameters
     ----------
     row_of_blocks : int
-        Bytes of the blocks that must stay from one strip to the next, lest they be decoded twice.
+        Size of the blocks that must stay cached from one strip to the next, so that they are not decoded twice
+        [bytes].
     """
     gdal = available("osgeo.gdal")
     before, (least, most) = gdal.GetCacheMax(), CACHE_BYTES

@@ -1,29 +1,53 @@
-"""Where an elevation model lies on the Earth: what its header says, or an error in a sentence."""
+"""Band, CRS and geotransform of an elevation model, read from its header and checked."""
 
 from __future__ import annotations
 
 import numpy as np
+from osgeo import gdal
 
 from ..base.errors import TerrainError, UnusableDemError
 from ..base.messages import Message
 from .crs import spatial_reference
 
 
-def crs_of(path, dataset, crs=None):
-    """WKT of the CRS of a DEM.
+def check_band(path, dataset, band):
+    """Raise `UnusableDemError` if a DEM has no band of this number, or if the band is of complex numbers.
 
     Parameters
     ----------
     path : str
-        File of the DEM, for the message.
+        Path of the DEM, for the error message.
+    dataset : osgeo.gdal.Dataset
+    band : int
+        Number of the band, from 1.
+    """
+    if not 1 <= band <= dataset.RasterCount:
+        count = dataset.RasterCount
+        reason = Message(
+            "The DEM {path} has {count} band(s), but no band {band}. Choose another.", path=path, count=count, band=band
+        )
+        raise UnusableDemError(reason)
+    if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
+        raise UnusableDemError(
+            Message("Band {band} of {path} contains complex numbers. Choose an elevation raster.", band=band, path=path)
+        )
+
+
+def crs_of(path, dataset, crs=None):
+    """Give the WKT of the CRS of a DEM.
+
+    Parameters
+    ----------
+    path : str
+        Path of the DEM, for the error message.
     dataset : osgeo.gdal.Dataset
     crs : str or None
-        CRS that replaces the dataset's own.
+        Replaces the dataset's own CRS.
 
     Raises
     ------
     UnusableDemError
-        If the CRS is missing or not one on the Earth.
+        If the CRS is missing, is neither geographic nor projected, or cannot be used.
     """
     reference = dataset.GetSpatialRef() if crs is None else spatial_reference(crs)
     if reference is None or not (reference.IsGeographic() or reference.IsProjected()):
@@ -49,7 +73,7 @@ def crs_of(path, dataset, crs=None):
 
 
 def geotransform_of(path, dataset):
-    """GDAL geotransform of an upright dataset; refused where there is none or it is rotated."""
+    """Give the GDAL geotransform of a dataset; raise `UnusableDemError` if it is missing or rotated."""
     transform = dataset.GetGeoTransform(can_return_null=True)
     if transform is None or not np.isfinite(transform).all() or transform[1] == 0 or transform[5] == 0:
         raise UnusableDemError(

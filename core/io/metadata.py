@@ -1,4 +1,4 @@
-"""What EXIF tags mean: position, heading, focal length and time as the rest of the program wants them.
+"""Interpret EXIF tags as position, heading, focal length and time in the form that the rest of the program uses.
 
 References
 ----------
@@ -14,29 +14,31 @@ from ..base.camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
 from ..base.messages import Message
 
 MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
-"""FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool reads them."""
+"""Values of FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool does."""
 
 ALTITUDE_REFERENCES = {0: "sea level", 1: "below sea level", 2: "ellipsoid", 3: "ellipsoid"}
 SENSOR_DIAGONALS_MM = (2.0, 80.0)
-"""From the smallest phone to medium format; anything else is a wrong FocalPlaneXResolution."""
+"""Range from the smallest phone to medium format; a value outside it means a wrong FocalPlaneXResolution."""
 
 SENSOR_SHAPES = (4 / 3, 3 / 2)
-"""Phones record the equivalent of the whole sensor also for pictures of other shapes; the diagonal rule misses that."""
+"""Usual shapes of sensors. For pictures of other shapes phones still record the equivalent of the whole sensor, and the
+diagonal rule does not account for that."""
 
 SAME_SHAPE = 0.01
-"""Relative difference of two shapes that rounding explains."""
+"""Relative difference between two shapes that rounding can explain."""
 
 LEAST_CROP = 0.5
-"""A picture of another shape than recorded and not below this share of the recorded sides was cropped, not reduced."""
+"""A picture whose shape differs from the recorded one was cropped, not reduced, if its sides are at least this share of
+the recorded sides."""
 
 
 def interpret(tags, width_px, height_px):
-    """Turn tags into fields of `PhotoMetadata`.
+    """Convert tags to fields of `PhotoMetadata`.
 
     Parameters
     ----------
     tags : dict
-        As `read_tags` gives them.
+        Tags as `exif.read_tags` gives them.
     width_px, height_px : int
         Size of the stored picture, before any rotation [pixels].
 
@@ -70,7 +72,7 @@ def interpret(tags, width_px, height_px):
 
 
 def _number(tags, name):
-    """Give a tag's first value where it is finite, else None."""
+    """Give a tag's first value if it is finite, else None."""
     value = tags.get(name, (float("nan"),))[0]
     return value if isfinite(value) else None
 
@@ -107,7 +109,7 @@ def _reference(tags, name):
 
 
 def _degrees(parts):
-    """Degrees, minutes and seconds (the last ones may be missing) to decimal degrees."""
+    """Convert degrees, minutes and seconds (the last ones may be missing) to decimal degrees."""
     return sum(part / 60**power for power, part in enumerate(parts[:3]))
 
 
@@ -115,7 +117,7 @@ def _altitude(tags):
     altitude_m = _number(tags, "GPSAltitude")
     if altitude_m is None or abs(altitude_m) > 100_000:
         return None, None
-    code = _number(tags, "GPSAltitudeRef") or 0  # the standard's default
+    code = _number(tags, "GPSAltitudeRef") or 0  # the default in the standard
     if code in (1, 3):
         altitude_m = -abs(altitude_m)
     return altitude_m, ALTITUDE_REFERENCES.get(code)
@@ -130,7 +132,7 @@ def _heading(tags):
 
 
 def _focal_length_35mm(tags, width_px, height_px, notes):
-    """35 mm equivalent of the picture as it is (None: unknown), and its relative spread."""
+    """Give the 35 mm equivalent of the picture in its present crop (None if unknown), and its relative sigma."""
     recorded = _positive(tags, "FocalLengthIn35mmFilm")
     length = recorded or _from_focal_plane(tags, width_px, height_px)
     if length is None:
@@ -154,15 +156,15 @@ def _focal_length_35mm(tags, width_px, height_px, notes):
 
 
 def _recorded_size(tags, size):
-    """Long and short side of the picture as the camera stored it; `size` where that is not recorded."""
+    """Give the long and short side of the picture as the camera stored it; `size` if that is not recorded."""
     sides = _positive(tags, "PixelXDimension"), _positive(tags, "PixelYDimension")
     return size if None in sides else (max(sides), min(sides))
 
 
 def _crop_factor(recorded_long, recorded_short, long, short):
-    """How much narrower than recorded the picture's field is; 1 where it was not cropped.
+    """Give the factor by which cropping narrowed the recorded field of view; 1 if the picture was not cropped.
 
-    A copy of another shape that is not much smaller was cropped pixel by pixel; a much smaller one is taken for a
+    A copy of another shape that is not much smaller was cropped without resampling. A much smaller one is taken for a
     reduced copy of the largest crop of its shape.
     """
     kept = max(long / recorded_long, short / recorded_short)
@@ -177,7 +179,7 @@ def _same_shape(one, other):
 
 
 def _from_focal_plane(tags, width_px, height_px):
-    """35 mm equivalent of the recorded frame by the diagonal rule from the sensor's size; None where unknown."""
+    """Derive the 35 mm equivalent of the recorded frame by the diagonal rule from the sensor; None if unknown."""
     focal_mm, unit_mm = (
         _positive(tags, "FocalLength"),
         MILLIMETRES_PER_UNIT.get(_number(tags, "FocalPlaneResolutionUnit") or 2),
@@ -185,7 +187,7 @@ def _from_focal_plane(tags, width_px, height_px):
     x_resolution, y_resolution = _positive(tags, "FocalPlaneXResolution"), _positive(tags, "FocalPlaneYResolution")
     if None in (focal_mm, unit_mm, x_resolution, y_resolution):
         return None
-    # The resolution belongs to the picture as the camera stored it; a resampled copy still shows the same field.
+    # The resolution refers to the picture as the camera stored it; a resampled copy shows the same field of view.
     stored_width = _positive(tags, "PixelXDimension") or width_px
     stored_height = _positive(tags, "PixelYDimension") or height_px
     sensor_mm = hypot(stored_width / x_resolution, stored_height / y_resolution) * unit_mm

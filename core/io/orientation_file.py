@@ -1,7 +1,7 @@
-"""One photograph's orientation as a file of its own, which a repeated run recognises and does not compute again.
+"""Files that each store the orientation of one photograph, so that a repeated run need not compute it again.
 
-The file is a NumPy archive: the arrays, and the rest as JSON, so that reading it executes nothing. It carries the
-fingerprint of everything that the answer depends on.
+The file is a NumPy archive of the arrays, with all other values as JSON, so that reading it executes no code. It
+contains a fingerprint of everything on which the answer depends.
 """
 
 from __future__ import annotations
@@ -35,17 +35,17 @@ UNREADABLE = OSError, ValueError, KeyError, TypeError, AttributeError, EOFError,
 
 
 def orientation_mark(request, dem, options):
-    """Digest of everything that an orientation depends on: photo and DEM as files, request, options, the program.
+    """Make a digest of all on which an orientation depends: photo and DEM files, request, options, and the program.
 
-    Changed files are noticed by their size and time of change, as by `make`; a changed program by its source, since
-    every version judges a little differently.
+    Changed files are detected by size and modification time, as `make` does. A changed program is detected by its
+    source, because answers differ a little between versions.
 
     Parameters
     ----------
-    request : PhotoRequest
+    request : core.batch.PhotoRequest
     dem : Dem
-    options : OrientOptions
-        Anything else that decides the answer, by its `repr`.
+    options : core.pipeline.OrientOptions
+        All other options that affect the answer; compared by their `repr`.
     """
     facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
     facts += [dem.shape, dem.geotransform, dem.crs_wkt, request, options]
@@ -64,21 +64,21 @@ def _program():
 def _file_state(path):
     try:
         state = os.stat(path)
-    except (OSError, TypeError):  # not a plain file: a database, an archive, no sky mask
+    except (OSError, TypeError):  # not a regular file: a database, an archive, or no sky mask
         return path
     return os.path.abspath(path), state.st_size, state.st_mtime_ns
 
 
 def packed(oriented, mark):
-    """Bytes of the file for one photograph's orientation.
+    """Give the content of the file for one photograph's orientation as bytes.
 
-    Of the evidence only what the report draws is kept; the pixel scores would double the size.
+    Of the evidence only what the report draws is kept, because the pixel scores would double the size.
 
     Parameters
     ----------
     oriented : OrientedPhoto
     mark : str
-        Result of `orientation_mark`.
+        Fingerprint from `orientation_mark`.
     """
     if oriented.evidence is not None:
         oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None, rival=None))
@@ -90,7 +90,7 @@ def packed(oriented, mark):
 
 
 def unpacked(path, mark):
-    """Return the `OrientedPhoto` if the file is there, whole and of this fingerprint; else None."""
+    """Read the `OrientedPhoto` of a file that is complete and has this fingerprint; else None."""
     try:
         # Opened here, because np.load leaves a damaged file open.
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
@@ -101,7 +101,7 @@ def unpacked(path, mark):
 
 
 def _plain(value, arrays):
-    """Value as JSON has it; arrays go to `arrays`, and their names stand in for them."""
+    """Convert a value to JSON types; arrays are added to `arrays` and replaced by their names."""
     if isinstance(value, np.ndarray):
         name = f"array_{len(arrays)}"
         arrays[name] = value
@@ -112,7 +112,7 @@ def _plain(value, arrays):
         return [_plain(item, arrays) for item in value]
     if isinstance(value, datetime):
         return {"time": value.isoformat()}
-    if isinstance(value, Message):  # not as the English sentence: the next run may be in another language
+    if isinstance(value, Message):  # kept as a template, since the next run may be in another language
         return {"message": value.template, "facts": {name: _plain(fact, arrays) for name, fact in value.facts.items()}}
     if type(value).__name__ in KINDS:
         return {"kind": type(value).__name__, **{f.name: _plain(getattr(value, f.name), arrays) for f in fields(value)}}
@@ -120,7 +120,7 @@ def _plain(value, arrays):
 
 
 def _restored(value, arrays):
-    """Value that `_plain` was given; every list was a tuple."""
+    """Invert `_plain`; every list becomes a tuple."""
     if isinstance(value, list):
         return tuple(_restored(item, arrays) for item in value)
     if not isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""Photographs: list them, read what they say about themselves, read their upright pixels."""
+"""List photographs, and read their metadata and upright pixels."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from .pixels import decode, stored_size
 
 
 def list_photos(folder, recursive=False):
-    """List the JPEG and HEIC files of a folder by their names, sorted.
+    """List the JPEG and HEIC files of a folder by their suffixes, sorted by name.
 
     Raises
     ------
     SkylineViewshedError
-        The folder is missing or closed to us.
+        If the folder is missing or cannot be read.
 
     Examples
     --------
@@ -46,7 +46,7 @@ def list_photos(folder, recursive=False):
 
 
 def read_metadata(path):
-    """Read what a photograph's file says about itself; no pixel is decoded.
+    """Read the metadata of a photograph's file without decoding its pixels.
 
     Raises
     ------
@@ -76,13 +76,13 @@ def read_photo(path, max_side_px=None):
     ----------
     path : str
     max_side_px : int or None
-        Reduce a larger picture by area averaging so that its longer side has this many pixels.
+        Reduce a larger picture by area averaging until its longer side has this length [pixels].
 
     Returns
     -------
     Photo
-        Pixels are upright exactly once: JPEG (and PNG, TIFF, WebP) are turned by their tag, HEIC is turned by its
-        decoder and its tag is only a record. The sizes in the metadata remain those of the full upright picture.
+        Pixels are rotated only once: JPEG, PNG, TIFF and WebP by their tag, HEIC by its decoder, so that its tag is
+        not applied. The sizes in the metadata are always those of the full upright picture.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def read_photo(path, max_side_px=None):
 
 
 def _upright(pixels, orientation):
-    """Turn and mirror stored pixels as EXIF Orientation 1 to 8 asks."""
+    """Rotate and mirror stored pixels as EXIF Orientation 1 to 8 specifies."""
     if orientation >= 5:
         pixels = pixels.swapaxes(0, 1)  # 5; the others follow by mirroring
     if orientation in (2, 3, 6, 7):
@@ -116,7 +116,7 @@ def _upright(pixels, orientation):
 
 
 def _reduced(pixels, size, max_side_px):
-    """Area-average a picture whose full size is `size` to `max_side_px`; one channel at a time spares memory."""
+    """Reduce a picture of full size `size` to `max_side_px` by area averaging, one channel at a time to save memory."""
     factor = max_side_px / max(size)
     width, height = (max(round(side * factor), 1) for side in size)
     planes = [shrink(np.ascontiguousarray(pixels[:, :, channel]), width, height) for channel in range(3)]

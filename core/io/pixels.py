@@ -1,4 +1,4 @@
-"""Decode a picture's pixels as they are stored, with whichever decoder is installed."""
+"""Decode a picture's pixels as they are stored, with any installed decoder."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ DAMAGED = Message("it is damaged or incomplete. Copy it again from its source.")
 
 
 def stored_size(path, kind):
-    """Width and height of the decoded picture by its header [pixels].
+    """Read the width and height of the decoded picture from its header [pixels].
 
-    HEIC decoders apply the container's rotation, so for them this is the upright size; JPEG's is as stored.
+    HEIC decoders apply the container's rotation, so this is the upright size for HEIC and the stored size for JPEG.
     """
     for sizer in _chain(kind, _heif_size, _pillow_size, _gdal_size):
         size = sizer(path, kind)
@@ -34,14 +34,17 @@ def decode(path, kind, max_side_px=None):
 
     Parameters
     ----------
-    path, kind : str
+    path : str
+    kind : str
+        Format as `formats.format_of` gives it.
     max_side_px : int or None
-        A hint that fewer pixels suffice: JPEG may come averaged by 2, 4 or 8 where that divides the picture's sides,
-        but never below twice this.
+        Hint that fewer pixels suffice: a JPEG may be averaged by 2, 4 or 8 if that divides the picture's sides, but
+        never below twice this length [pixels].
 
     Returns
     -------
     pixels : uint8 (H, W, 3) array
+        RGB.
     size : (int, int)
         Width and height of the full picture [pixels].
 
@@ -62,7 +65,7 @@ def decode(path, kind, max_side_px=None):
 
 
 def _chain(kind, by_heif, by_pillow, by_gdal):
-    """Decoders in their order. A HEIC that pillow-heif refuses is not shown to GDAL, whose libheif is older."""
+    """Give the decoders in order. A HEIC that pillow-heif refuses is not passed to GDAL, whose libheif is older."""
     if kind != "heif":
         return by_pillow, by_gdal
     return (by_gdal,) if available("pillow_heif") is None else (by_heif,)
@@ -81,9 +84,9 @@ def _undecodable(path, kind):
 @contextmanager
 def _opened_by_pillow(path, kind):
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # damaged metadata, large pictures: both are dealt with elsewhere
+        warnings.simplefilter("ignore")  # damaged metadata and large pictures are handled elsewhere
         if kind == "jpeg":
-            # Opened by its class: Image.open has a process-wide pixel limit below that of today's phones.
+            # The class is used directly, because Image.open has a process-wide pixel limit that phone pictures exceed.
             picture = available("PIL.JpegImagePlugin").JpegImageFile(path)
         else:
             picture = available("PIL.Image").open(path)
@@ -97,7 +100,7 @@ def _pillow_size(path, kind):
     try:
         with _opened_by_pillow(path, kind) as picture:
             return picture.size
-    except Exception:  # plugins meet damaged files with SyntaxError, struct.error, OSError, ...
+    except Exception:  # on damaged files plugins raise SyntaxError, struct.error, OSError, ...
         return None
 
 
@@ -107,19 +110,19 @@ def _decode_pillow(path, kind, max_side_px):
     try:
         with _opened_by_pillow(path, kind) as picture:
             if picture.mode.startswith(("I", "F")):
-                return None  # deeper than 8 bit: GDAL keeps the values
+                return None  # deeper than 8 bits: GDAL keeps the values
             if kind == "jpeg" and max_side_px is not None:
                 step = _draft_step(picture.size, max_side_px)
                 picture.draft(None, (picture.width // step, picture.height // step))
             return np.asarray(picture.convert("RGB"))
     except MemoryError:
         raise
-    except Exception:  # see _pillow_size
+    except Exception:  # see `_pillow_size`
         return None
 
 
 def _draft_step(size, max_side_px):
-    """By how much libjpeg may average: an exact divisor, since otherwise its last pixels reach beyond the picture."""
+    """Give the factor by which libjpeg may average: an exact divisor, else its last pixels reach beyond the picture."""
     for step in (8, 4, 2):
         if size[0] % step == size[1] % step == 0 and max(size) >= 2 * step * max_side_px:
             return step
@@ -158,19 +161,19 @@ def _gdal_size(path, kind):
 def _decode_gdal(path, kind, max_side_px):
     dataset = open_quietly(path, [GDAL_DRIVERS[kind]])
     if dataset is None or dataset.GetRasterBand(1).GetColorTable() is not None:
-        return None  # palette numbers are no colours
+        return None  # palette indices are not colours
     with quiet_gdal(warnings=True) as messages:
         try:
             bands = dataset.ReadAsArray()
         except RuntimeError:
             return None
     if bands is None or any("remature end" in text for text in messages):
-        return None  # libjpeg would paint the missing part grey
+        return None  # libjpeg would fill the missing part with grey
     return _rgb(bands if bands.ndim == 2 else np.moveaxis(bands, 0, -1))
 
 
 def _rgb(pixels):
-    """Bring grey, grey + alpha, RGB or RGBA of 8 or 16 bit to uint8 RGB."""
+    """Convert grey, grey + alpha, RGB or RGBA of 8 or 16 bits to uint8 RGB; None for other types."""
     if pixels.dtype == np.uint16:
         pixels = (pixels // 257).astype(np.uint8)
     if pixels.dtype != np.uint8:

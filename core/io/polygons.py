@@ -1,4 +1,4 @@
-"""Ground in view as one valid, dissolved multipolygon per photograph, with its area on the ellipsoid."""
+"""Visible ground as one valid, dissolved multipolygon per photograph, with its area on the ellipsoid."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from .gdal_quiet import quiet_gdal, small_cache
 STRIP_CELLS = 8_000_000
 
 HELD_CELLS = 100_000_000
-"""Masks of so many cells are held as they are; larger ones, compressed, take a hundredth of it."""
+"""Masks of up to this many cells are kept uncompressed; compression reduces larger ones to a hundredth."""
 
 SIMPLIFY_CELLS = 0.7
-"""Stair-steps of one cell vanish at this tolerance; no corner moves by a whole cell."""
+"""Tolerance of simplification at which steps of one cell vanish and no corner moves by a whole cell [cells]."""
 
 
 @dataclass(frozen=True)
 class GroundPolygon:
-    """Ground that one photograph shows.
+    """The ground that one photograph shows.
 
     Attributes
     ----------
     wkb : bytes or None
-        Multipolygon in the DEM's CRS; None where nothing is seen.
+        Multipolygon in the DEM's CRS; None if nothing is seen.
     area_m2 : float
-        Of its cells before simplification, on the ellipsoid [m2].
+        Area of the cells on the ellipsoid, before simplification [m2].
     farthest_m : float or None
         Ground distance of the farthest cell seen [m].
     dropped_m2 : float
-        Area of the parts left out as too small, by the cell size at the observer [m2].
+        Area of the parts omitted as too small, from the cell size at the observer [m2].
     """
 
     wkb: bytes | None
@@ -46,18 +46,18 @@ class GroundPolygon:
 
 
 def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CELLS):
-    """Turn a viewshed's visible cells into a multipolygon.
+    """Convert the visible cells of a viewshed to a multipolygon.
 
     Parameters
     ----------
-    viewshed : core.viewshed.viewshed.Viewshed
-        Or anything with `window`, `frame` and `values`, of which an array's slices are enough.
+    viewshed : Viewshed
+        Or any object with `window`, `frame` and `values`, which need only support slicing.
     dem : Dem
-        On whose grid it was computed.
+        DEM on whose grid the viewshed was computed.
     smallest_m2 : float
-        Parts below this are dropped, and holes below it filled [m2].
+        Parts smaller than this are dropped, and smaller holes are filled [m2].
     simplify_cells : float
-        Tolerance of the simplification, below 1 [cells]; 0 keeps the cells' outlines.
+        Tolerance of the simplification, at least 0 and below 1 [cells]; 0 keeps the outlines of the cells.
 
     Returns
     -------
@@ -83,13 +83,13 @@ def viewshed_polygons(viewshed, dem, smallest_m2=0.0, simplify_cells=SIMPLIFY_CE
 
 
 def _strips(box):
-    """Slices of rows that cover a window, so large that each is some millions of cells."""
+    """Divide a window into slices of rows of some millions of cells each."""
     rows = max(STRIP_CELLS // max(box.cols, 1), 1)
     return [slice(row, min(row + rows, box.row + box.rows)) for row in range(box.row, box.row + box.rows, rows)]
 
 
 def _extent(values):
-    """Smallest window of the values' own rows and columns that holds all visible cells, or None."""
+    """Find the smallest window, in rows and columns of `values`, that contains all visible cells; None without any."""
     rows, cols = [], np.zeros(values.shape[1], bool)
     for strip in _strips(Window(0, 0, *values.shape)):
         seen = values[strip, :] == VISIBLE
@@ -105,7 +105,7 @@ def _extent(values):
 
 @contextmanager
 def _mask(values, box):
-    """Visible cells of a window as a raster; one of very many cells is compressed."""
+    """Yield the visible cells of a window as a raster, compressed if it has very many cells."""
     name, driver, options = "", "MEM", []
     if box.rows * box.cols > HELD_CELLS:
         name, driver = f"/vsimem/skyline-{secrets.token_hex(6)}.tif", "GTiff"
@@ -124,7 +124,7 @@ def _mask(values, box):
 
 
 def _outlines(raster, first_row, first_col):
-    """Polygons around a mask's 4-connected parts, in pixels of the DEM (corners at whole numbers + 0.5)."""
+    """Make polygons around the 4-connected parts of a mask, in pixels of the DEM (corners at integers + 0.5)."""
     raster.SetGeoTransform((first_col - 0.5, 1, 0, first_row - 0.5, 0, 1))
     band = raster.GetRasterBand(1)
     table = ogr.GetDriverByName("Memory").CreateDataSource("")
@@ -135,7 +135,7 @@ def _outlines(raster, first_row, first_col):
 
 
 def _keep(outlines, smallest_cells):
-    """Drop small parts and fill small holes: (multipolygon, dropped area [cells])."""
+    """Drop small parts and fill small holes; returns the multipolygon and the dropped area [cells]."""
     parts, dropped = ogr.Geometry(ogr.wkbMultiPolygon), 0.0
     for outline in outlines:
         area = outline.GetArea()
@@ -152,7 +152,7 @@ def _keep(outlines, smallest_cells):
 
 
 def _simplified(parts, tolerance_px):
-    """Each polygon with fewer corners; none vanishes."""
+    """Remove corners from each polygon; no polygon vanishes."""
     result = ogr.Geometry(ogr.wkbMultiPolygon)
     for polygon in _polygons_of(parts):
         simple = polygon.SimplifyPreserveTopology(tolerance_px)
@@ -162,7 +162,7 @@ def _simplified(parts, tolerance_px):
 
 
 def _dissolved(parts):
-    """Union of polygons that may touch, or overlap a little after simplification, as one valid multipolygon."""
+    """Unite polygons that may touch, or overlap a little after simplification, into one valid multipolygon."""
     with quiet_gdal():
         whole = parts.UnionCascaded()
         if whole is None or not whole.IsValid():
@@ -174,7 +174,7 @@ def _dissolved(parts):
 
 
 def _polygons_of(geometry):
-    """Yield the polygons within any geometry; lines and points that repairs leave behind are no ground."""
+    """Yield the polygons within any geometry; lines and points that remain from repairs are skipped."""
     kind = ogr.GT_Flatten(geometry.GetGeometryType())
     if kind == ogr.wkbPolygon and geometry.GetArea() > 0:
         yield geometry
@@ -184,7 +184,7 @@ def _polygons_of(geometry):
 
 
 def _to_crs(geometry, geotransform):
-    """Map pixels (first cell's centre at 0) to the raster's CRS, in place."""
+    """Convert pixels (the first cell's centre at 0) to the raster's CRS, in place."""
     x0, dx, _, y0, _, dy = geotransform
     for index in range(geometry.GetGeometryCount()):
         polygon = geometry.GetGeometryRef(index)
@@ -194,7 +194,7 @@ def _to_crs(geometry, geotransform):
 
 
 def _farthest_m(values, box, window, frame):
-    """Distance of the farthest visible cell's centre [m]; only the outermost cells of rows can be it."""
+    """Give the distance to the farthest visible cell's centre [m], which is always an outermost cell of its row."""
     farthest = 0.0
     for strip in _strips(box):
         seen = values[strip, box.col : box.col + box.cols] == VISIBLE
@@ -209,7 +209,7 @@ def _farthest_m(values, box, window, frame):
 
 
 def _area_m2(geometry, crs_wkt, frame):
-    """Area on the ellipsoid, by an equal-area projection around the observer [m2]."""
+    """Compute the area on the ellipsoid by an equal-area projection around the observer [m2]."""
     plane = local_plane(float(frame.longitude_deg), float(frame.latitude_deg)).replace("+proj=aeqd", "+proj=laea")
     flat = geometry.Clone()
     with quiet_gdal():

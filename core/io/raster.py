@@ -1,4 +1,4 @@
-"""Elevation models through GDAL: opened once, read in windows, never as a whole."""
+"""Elevation models read by GDAL, which are opened once and read in windows, never as a whole."""
 
 from __future__ import annotations
 
@@ -12,27 +12,28 @@ from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
 from ..base.messages import Message
 from ..base.terrain import Terrain, Window
-from .crs import WGS84, Transformer, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
+from .crs import WGS84, Transformer, area_around, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
 from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
-from .georeference import crs_of, geotransform_of
+from .georeference import check_band, crs_of, geotransform_of
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
-"""Values beyond are fill values (-32768, -3.4e38, 1e20, ...), tagged or not: no place on Earth lies there."""
+"""Range of elevations on Earth, with a margin; values outside it are fill values (-32768, -3.4e38, 1e20, ...), tagged
+or not."""
 
 COMMON_FILL = -9999.0
-"""Taken for nodata even without a tag; as a depth it exists in ocean trenches only."""
+"""Value that counts as nodata even without a tag; as a depth it occurs in ocean trenches only."""
 
 METRES_PER_UNIT = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937,
                    "ussurveyfoot": 1200 / 3937, "cm": 0.01, "dm": 0.1, "km": 1000.0}  # fmt: skip
-"""By the band's unit; all others are metres."""
+"""Factors by the band's unit; all other units count as metres."""
 
 STRIP_BYTES = 16 * 2**20
 
 SEARCHED_CELLS = 500_000_000
-"""So many cells are read in search of a valid one before a raster counts as empty: some seconds."""
+"""Number of cells searched for a valid one before a raster counts as empty, which takes some seconds."""
 
 LOWLAND_M = 100.0
-"""Terrain of which 99 % lies above this has no sea, so that zeros along its edges are missing data."""
+"""Terrain with 99 % of its cells above this has no sea, so that zeros along its edges are missing data [m]."""
 
 
 def open_dem(path, band=1, crs=None):
@@ -43,9 +44,9 @@ def open_dem(path, band=1, crs=None):
     path : str
         Anything that GDAL reads as a raster with a CRS: GeoTIFF, COG, HGT, VRT, ...
     band : int
-        Counted from 1.
+        Number of the band, from 1.
     crs : str or None
-        WKT or anything that OSR reads, in place of the file's own: what a user has assigned in QGIS.
+        WKT or anything that OSR reads, used instead of the file's own CRS, for example one assigned in QGIS.
 
     Returns
     -------
@@ -64,42 +65,29 @@ def open_dem(path, band=1, crs=None):
         raise UnusableDemError(
             Message("The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.", path=path)
         )
-    with quiet_gdal():  # GDAL reads, and complains of, the rest of the header only now
-        return _dem(path, dataset, band, crs)
-
-
-def _dem(path, dataset, band, crs):
-    if not 1 <= band <= dataset.RasterCount:
-        count = dataset.RasterCount
-        reason = Message(
-            "The DEM {path} has {count} band(s), but no band {band}. Choose another.", path=path, count=count, band=band
-        )
-        raise UnusableDemError(reason)
-    if gdal.DataTypeIsComplex(dataset.GetRasterBand(band).DataType):
-        raise UnusableDemError(
-            Message("Band {band} of {path} contains complex numbers. Choose an elevation raster.", band=band, path=path)
-        )
-    dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
-    dem._inspect()
+    with quiet_gdal():  # only now GDAL reads the rest of the header and reports its faults
+        check_band(path, dataset, band)
+        dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
+        dem._inspect()
     return dem
 
 
 class Dem(Terrain):
-    """An elevation model in a file.
+    """Elevation model in a file.
 
     Attributes
     ----------
     path : str
     band : int
-        From 1.
+        Number of the band, from 1.
     shape : (rows, columns)
     crs_wkt : str
     geotransform : tuple of 6 floats
-        GDAL's, without rotation.
+        Geotransform as in GDAL, without rotation.
     nodata : float or None
-        As tagged.
+        Nodata value from the file's tag.
     zero_is_void : bool
-        Untagged zeros along the edges of a highland are read as missing data.
+        Whether zeros are read as missing data, because they lie untagged along the edges of a highland.
     """
 
     def __init__(self, path, dataset, band, crs_wkt, geotransform):
@@ -123,7 +111,7 @@ class Dem(Terrain):
         return f"<Dem {os.path.basename(self.path)}: {rows} x {cols} cells of {width:.6g} x {height:.6g}, {name}>"
 
     def read(self, window):
-        """See `Terrain.read`: float32 metres of the window, NaN for nodata, implausible values and void zeros."""
+        """See `Terrain.read`: gives float32 metres, with NaN for nodata, implausible values and void zeros."""
         out = np.empty((window.rows, window.cols), np.float32)
         self.read_into(window, out)
         return out
@@ -139,7 +127,7 @@ class Dem(Terrain):
                 self._read_strip(window.col, window.row + start, strip)
 
     def _row_of_blocks(self, cols):
-        """Bytes in GDAL's cache of one row of blocks across a window."""
+        """Give the size in GDAL's cache of one row of blocks across a window [bytes]."""
         width, height = self._band.GetBlockSize()
         return (cols // width + 2) * width * height * max(gdal.GetDataTypeSize(self._band.DataType) // 8, 1)
 
@@ -172,7 +160,7 @@ class Dem(Terrain):
         strip[void] = np.nan
 
     def _surely_valid(self, lowest, highest):
-        """Whether values between these need no looking at one by one: two passes in place of eight."""
+        """Tell whether no value in this range needs an individual check, which saves six of eight passes."""
         plausible = PLAUSIBLE_M[0] < lowest and highest < PLAUSIBLE_M[1]  # False for NaN too
         fill = lowest <= self._fill <= highest or lowest <= COMMON_FILL <= highest
         zero = self.zero_is_void and lowest <= 0 <= highest
@@ -181,17 +169,24 @@ class Dem(Terrain):
     def frame(self, longitude_deg, latitude_deg, radius_m):
         """See `Terrain.frame`: azimuthal equidistant on WGS 84 around the position, exact in any CRS.
 
-        A frame follows the ground across the antimeridian; the seam of a raster that spans the whole globe, and the
-        pole itself in longitude and latitude, are its limits: there the raster ends.
+        A frame continues across the antimeridian. It ends at the seam of a raster that spans the whole globe, and at
+        the pole of a raster in longitude and latitude.
+
+        Parameters
+        ----------
+        longitude_deg, latitude_deg : float
+            WGS 84 position [degrees].
+        radius_m : float
+            Distance to which the frame must reach [m].
 
         Raises
         ------
         ObserverOutsideDemError
-            The raster's CRS does not reach the position.
+            If the raster's CRS is not defined at the position.
         """
         reach_deg = np.degrees(radius_m / 6_350_000.0)
         transform = Transformer(
-            local_plane(longitude_deg, latitude_deg), self.crs_wkt, _area(longitude_deg, latitude_deg, reach_deg)
+            local_plane(longitude_deg, latitude_deg), self.crs_wkt, area_around(longitude_deg, latitude_deg, reach_deg)
         )
         centre_x, centre_y = transform(0.0, 0.0)
         if not (np.isfinite(centre_x) and np.isfinite(centre_y)):
@@ -208,18 +203,26 @@ class Dem(Terrain):
         return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
 
     def local_of(self, observer, longitude_deg, latitude_deg):
-        """See `ArrayTerrain.local_of`."""
+        """Give the true (east, north) of positions relative to an observer [m].
+
+        Parameters
+        ----------
+        observer : Observer
+            Origin of the local metres.
+        longitude_deg, latitude_deg : float or array
+            WGS 84 positions [degrees].
+        """
         plane = local_plane(observer.longitude_deg, observer.latitude_deg)
         return Transformer(WGS84, plane)(longitude_deg, latitude_deg)
 
     def pixel_of(self, longitude_deg, latitude_deg):
-        """(col, row) of WGS 84 positions [pixels]; NaN where the CRS does not reach."""
+        """Give the (col, row) of WGS 84 positions [pixels]; NaN where the CRS is not defined."""
         x, y = from_wgs84(self.crs_wkt, longitude_deg, latitude_deg)
         period = x_period(self.crs_wkt)
         return self._pixel(x if period is None else self._nearest_x(x, period), y)
 
     def position_of(self, col_px, row_px):
-        """WGS 84 (longitude, latitude) of pixels [degrees]; inverse of `pixel_of`."""
+        """Give the WGS 84 (longitude, latitude) of pixels [degrees]; the inverse of `pixel_of`."""
         x0, dx, _, y0, _, dy = self.geotransform
         longitude_deg, latitude_deg = to_wgs84(
             self.crs_wkt, x0 + dx * np.add(col_px, 0.5), y0 + dy * np.add(row_px, 0.5)
@@ -231,12 +234,12 @@ class Dem(Terrain):
         return (x - x0) / dx - 0.5, (y - y0) / dy - 0.5
 
     def _nearest_x(self, x, period):
-        """Shift x by whole periods to the turn of the world in which the raster lies."""
+        """Shift x by whole periods of the CRS to the repetition of the world in which the raster lies."""
         middle_x = self.geotransform[0] + self.geotransform[1] * self.shape[1] / 2
         return middle_x + wrap_180((x - middle_x) * (360 / period)) * (period / 360)
 
     def _inspect(self):
-        """Refuse a raster without a valid cell, and find out whether zero means missing."""
+        """Refuse a raster without a valid cell, and determine whether zero means missing data."""
         sample, edge = self._sample()
         valid = sample[np.isfinite(sample)]
         if valid.size == 0 and not self._any_valid():
@@ -251,7 +254,7 @@ class Dem(Terrain):
         self.zero_is_void = bool((edge == 0).any() and land.size >= 100 and np.percentile(land, 1) > LOWLAND_M)
 
     def _sample(self, side=9, patch=16):
-        """Read `side` x `side` small windows, evenly spread, corners included; and tell which touch the edge."""
+        """Read `side` x `side` small windows, evenly spread with the corners; give all cells and those at the edge."""
         rows, cols = self.shape
         values, edge = [], []
         for row in np.unique(np.linspace(0, max(rows - patch, 0), side).astype(int)):
@@ -269,7 +272,7 @@ class Dem(Terrain):
         return np.concatenate(values), np.concatenate(edge)
 
     def _any_valid(self):
-        """Search for a valid cell in strips, in all of them up to `SEARCHED_CELLS`, else in an even choice."""
+        """Search strips for a valid cell: all of them up to `SEARCHED_CELLS`, else evenly spaced ones."""
         rows, cols = self.shape
         height = self._band.GetBlockSize()[1]
         height *= max(STRIP_BYTES // (4 * cols * height), 1)
@@ -280,18 +283,3 @@ class Dem(Terrain):
         return any(
             np.isfinite(self.read(Window(int(row), 0, height, cols).clipped(self.shape))).any() for row in starts
         )
-
-
-def _area(longitude_deg, latitude_deg, reach_deg):
-    """Box around a position for PROJ's choice of a datum shift; west > east means across the antimeridian."""
-    south, north = max(latitude_deg - reach_deg, -90.0), min(latitude_deg + reach_deg, 90.0)
-    widest = max(abs(south), abs(north))
-    if widest > 85:
-        return -180.0, south, 180.0, north
-    across = reach_deg / np.cos(np.radians(widest))
-    return (
-        float(wrap_180(longitude_deg - across)),
-        float(south),
-        float(wrap_180(longitude_deg + across)),
-        float(north),
-    )

@@ -1,4 +1,4 @@
-"""Write points of photographs as GeoPackage, GeoJSON or CSV, whole or not at all."""
+"""Write points of photographs as GeoPackage, GeoJSON or CSV; a file appears complete or not at all."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class PointRow:
     position : (longitude, latitude, elevation) or None
         WGS 84 [degrees, degrees, m].
     values : dict
-        By field name; what is missing becomes NULL.
+        Values by field name; missing values become NULL.
     """
 
     position: tuple[float, float, float] | None
@@ -49,12 +49,12 @@ class PointRow:
 
 
 def driver_of(path: str | os.PathLike) -> str:
-    """Name of the OGR driver for a file's suffix.
+    """Give the name of the OGR driver for a file's suffix.
 
     Raises
     ------
     ValueError
-        The suffix is none of `DRIVERS`.
+        If the suffix is not in `DRIVERS`.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in DRIVERS:
@@ -63,16 +63,16 @@ def driver_of(path: str | os.PathLike) -> str:
 
 
 def point_fields() -> list[FieldSpec]:
-    """Fields of `photo_row`: those of the photograph, then those of its orientation, as QGIS layers have them."""
+    """Give the fields of `photo_row`, as in QGIS layers: those of the photograph, then those of its orientation."""
     ours = oriented_fields()
     names = {spec.name for spec in ours}
     return [spec for spec in photo_fields() if spec.name not in names] + ours
 
 
 def photo_row(oriented: OrientedPhoto, max_distance_m: float) -> PointRow:
-    """Turn an oriented photograph into a point at the position that was used.
+    """Convert an oriented photograph to a point at the position that was used.
 
-    `max_distance_m` is the search range of the run [m]. A photograph that failed keeps what its file says.
+    `max_distance_m` is the search range of the run [m]. A photograph that failed keeps the values from its file.
     """
     metadata = oriented.metadata or _metadata(oriented.path)
     before = _of_path(oriented.path) if metadata is None else values_of_metadata(metadata)
@@ -84,7 +84,7 @@ def photo_row(oriented: OrientedPhoto, max_distance_m: float) -> PointRow:
 def _metadata(path: str) -> PhotoMetadata | None:
     try:
         return read_metadata(path) if path else None
-    except PhotoError:  # the photograph's own message says so already
+    except PhotoError:  # the message of the photograph already states this
         return None
 
 
@@ -107,16 +107,16 @@ def write_points(path: str | os.PathLike, fields: list[FieldSpec], rows: Iterabl
     Parameters
     ----------
     path : str or Path
-        An older file of that name is replaced when the new one is whole.
+        File to write; an older file of that name is replaced once the new one is complete.
     fields : list of FieldSpec
     rows : iterable of PointRow
 
     Raises
     ------
     ValueError
-        The suffix is none of `DRIVERS`.
+        If the suffix is not in `DRIVERS`.
     OutputError
-        The folder is missing or read-only, the disk is full, ...
+        If the folder is missing or read-only, the disk is full, ...
     """
     driver = ogr.GetDriverByName(driver_of(path))
     with staged(path) as folder, quiet_gdal() as messages:
@@ -130,8 +130,8 @@ def write_points(path: str | os.PathLike, fields: list[FieldSpec], rows: Iterabl
             for row in rows:
                 _add(layer, row)
             layer.CommitTransaction()
-            layer = source = None  # GDAL writes what is left; faults are in the messages only
-        except (RuntimeError, AttributeError) as error:  # AttributeError: GDAL gave None
+            layer = source = None  # GDAL writes the rest; errors are only in the messages
+        except (RuntimeError, AttributeError) as error:  # AttributeError: GDAL returned None
             raise OSError("; ".join(messages) or str(error)) from None
         if messages:
             raise OSError("; ".join(messages))
@@ -142,7 +142,7 @@ def _define(layer: Any, fields: list[FieldSpec]) -> None:
         definition = ogr.FieldDefn(spec.name, KINDS[spec.kind])
         if spec.kind == "yes":
             definition.SetSubType(ogr.OFSTBoolean)
-        if hasattr(definition, "SetAlternativeName"):  # GDAL 3.2; GeoPackages keep it from a later version on
+        if hasattr(definition, "SetAlternativeName"):  # from GDAL 3.2; GeoPackages store it from a later version on
             definition.SetAlternativeName(spec.alias)
         layer.CreateField(definition)
 

@@ -1,7 +1,7 @@
-"""One photograph's viewshed as a file of its own, which a repeated run recognises and does not compute again.
+"""Files that each store the viewshed of one photograph, so that a repeated run need not compute it again.
 
-A file carries the fingerprint of everything that its result depends on. It takes its name only when it is whole, so
-that a run killed at any moment leaves finished files and none that only looks like one.
+A file contains a fingerprint of everything on which its result depends. It gets its final name only once it is
+complete, so that a run that is killed leaves only complete files under such names.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .gdal_quiet import open_quietly, quiet_gdal
 from .write_raster import RasterLayout, new_raster
 
 VERSION = 1
-"""Raised when the engine's results change, so that older files are computed anew."""
+"""Increment this if the engine's results change, so that older files are computed again."""
 
 STRIP_ROWS = 1024
 KEY = "SKYLINE_VIEWSHED_FINGERPRINT"
@@ -28,14 +28,14 @@ KEY = "SKYLINE_VIEWSHED_FINGERPRINT"
 
 @dataclass(frozen=True, eq=False)
 class LayerStack:
-    """Bands of a file and what comes into them.
+    """Bands of a file and their values.
 
     Attributes
     ----------
     bands : dict
-        Name of each band and its unit.
+        Unit of each band, by its name.
     strips : iterable of (Window, list of (rows, cols) float32 arrays)
-        In the order of the bands; NaN becomes nodata.
+        Windows and their values in the order of the bands; NaN becomes nodata.
     """
 
     bands: dict
@@ -43,17 +43,17 @@ class LayerStack:
 
 
 def fingerprint(dem, observer, sector, options, *others):
-    """Digest all that a viewshed depends on.
+    """Make a digest of all on which a viewshed depends.
 
     Parameters
     ----------
     dem : Dem
-        Its file and band count; a changed DEM is noticed by its size and time of change, as by `make`.
+        File and band are included; a changed file is detected by size and modification time, as `make` does.
     observer : Observer
     sector : Sector
     options : ViewshedOptions
     others
-        Whatever else the result depends on.
+        All else on which the result depends; compared by `repr`.
 
     Returns
     -------
@@ -67,18 +67,18 @@ def fingerprint(dem, observer, sector, options, *others):
 def _file_facts(dem):
     try:
         state = os.stat(dem.path)
-    except OSError:  # not a plain file: a database, an archive
+    except OSError:  # not a regular file: a database, an archive
         return dem.path, dem.band
     return os.path.abspath(dem.path), dem.band, state.st_size, state.st_mtime_ns
 
 
 def _plain(value):
-    """Arrays in full: their usual text leaves out the middle."""
+    """Digest arrays in full, because their usual text omits the middle."""
     return hashlib.sha256(value.tobytes()).hexdigest() if isinstance(value, np.ndarray) else value
 
 
 def write_viewshed(path, viewshed, dem, mark, metadata=None):
-    """Write a viewshed with its fingerprint, whole or not at all.
+    """Write a viewshed with its fingerprint; the file appears complete or not at all.
 
     Parameters
     ----------
@@ -86,9 +86,9 @@ def write_viewshed(path, viewshed, dem, mark, metadata=None):
     viewshed : Viewshed
     dem : Dem
     mark : str
-        Of `fingerprint`.
+        Fingerprint from `fingerprint`.
     metadata : dict or None
-        Further names and texts for the file's header.
+        Further items for the file's header.
 
     Raises
     ------
@@ -109,14 +109,14 @@ def read_viewshed(path, dem, mark, sink=ArraySink):
     path : str
     dem : Dem
     mark : str
-        Of `fingerprint`.
+        Fingerprint from `fingerprint`.
     sink : callable
-        Makes from the window the `Sink` that takes the values.
+        Function that makes from the window the `Sink` that receives the values.
 
     Returns
     -------
     (Window, values) or None
-        Values of the sink, as in `Viewshed`; None unless the file is there, whole and of this fingerprint.
+        Window and values of the sink, as in `Viewshed`; None unless the file is complete and has this fingerprint.
     """
     if not os.path.exists(path):
         return None
@@ -144,17 +144,19 @@ def read_viewshed(path, dem, mark, sink=ArraySink):
 
 
 def write_layers(path, dem, window, layers, mark, metadata=None):
-    """Write float layers of a photograph with their fingerprint, whole or not at all.
+    """Write float layers of a photograph with their fingerprint; the file appears complete or not at all.
 
     Parameters
     ----------
     path : str
     dem : Dem
     window : Window
+        Part of the DEM's grid that the file covers.
     layers : LayerStack
     mark : str
-        Of `fingerprint`.
+        Fingerprint from `fingerprint`.
     metadata : dict or None
+        Further items for the file's header.
 
     Raises
     ------
@@ -171,7 +173,7 @@ def write_layers(path, dem, window, layers, mark, metadata=None):
 
 
 def stored_facts(path, mark):
-    """Texts in the header of a finished file of this fingerprint, or None."""
+    """Read the items in the header of a complete file with this fingerprint; None without such a file."""
     dataset = open_quietly(path) if os.path.exists(path) else None
     if dataset is None or dataset.GetMetadataItem(KEY) != mark:
         return None

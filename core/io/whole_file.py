@@ -1,7 +1,8 @@
-"""Let a library write files under their names in a hidden folder, and bring them into place when they are whole.
+"""Write files in a hidden folder under their final names, and move them into place once they are complete.
 
-For writers that take a name and no handle, as those of vector layers: the layer in the file is called after it, and
-some formats are several files. A process that is killed leaves the hidden folder, never half a file under the name.
+This is for writers that take a name instead of a handle, such as those of vector layers: the layer in the file is
+named after the file, and some formats consist of several files. A process that is killed leaves the hidden folder, but
+never an incomplete file under the final name.
 """
 
 from __future__ import annotations
@@ -19,33 +20,33 @@ from ..base.errors import OutputError
 from ..base.messages import Message
 
 JOURNALS = ("-wal", "-shm", "-journal")
-"""What SQLite keeps beside a database; one that a dead process has left must not meet a new database."""
+"""Suffixes of the files that SQLite keeps beside a database; those of a killed process must not meet a new database."""
 
 PATIENCE_S = (0.1, 0.4)
 
 SHAPEFILE_PARTS = (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj", ".idm", ".ind")
-"""What belongs to an older shapefile of the same name, as QGIS takes it away when it overwrites one."""
+"""Suffixes of the files of an older shapefile of the same name, which QGIS too removes when it overwrites one."""
 
 
 @contextmanager
 def staged(path):
-    """Yield a folder to write in; on leaving the block without an error its files move to the folder of `path`.
+    """Yield a folder to write in; its files move to the folder of `path` if the block ends without an error.
 
     Parameters
     ----------
     path : str or Path
-        Of the file to be; its folder exists.
+        Final path of the file; its folder must exist.
 
     Yields
     ------
     Path
-        A new hidden folder on the same file system, so that moving is one step. The file may get a suffix there that
+        New hidden folder on the same file system, so that moving is atomic. The file in it may have a suffix that
         `path` does not have.
 
     Raises
     ------
     OutputError
-        The folder is missing or read-only, or an older file of that name cannot be replaced.
+        If the folder is missing or read-only, or an older file of that name cannot be replaced.
     """
     path = Path(path)
     stage = path.with_name(f".skyline-{secrets.token_hex(6)}")
@@ -61,7 +62,7 @@ def staged(path):
 
 
 def _move(stage, path):
-    """Move one file in one step; where companions come or go, the main name is free until they are in place."""
+    """Move a single file atomically; with companion files, the main name stays unused until they are in place."""
     written = sorted(stage.iterdir(), key=lambda file: file.name.startswith(path.name))
     if not written:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
@@ -77,7 +78,7 @@ def _move(stage, path):
 
 
 def _replace(file, target):
-    """Rename; on Windows a scanner of viruses may hold a new file for a moment, and then it is asked again."""
+    """Rename a file, with retries, because on Windows a virus scanner may lock a new file for a moment."""
     for seconds in PATIENCE_S:
         try:
             os.replace(file, target)
@@ -102,18 +103,18 @@ def _output_error(path, error):
 class ReportFile:
     """The `Document` of `core.report.report` on disk.
 
-    What is written waits in a nameless temporary file in the same folder (it vanishes with the process, however that
-    ends); `finish` joins head, body and tail and gives the file its name in one step.
+    The body is written to an unnamed temporary file in the same folder, which the operating system removes however the
+    process ends. `finish` joins head, body and tail, and renames the result to `path` atomically.
 
     Parameters
     ----------
     path : str
-        Of the HTML file to be; an older one stays as it is until the new one is whole.
+        Final path of the HTML file; an older file stays unchanged until the new one is complete.
 
     Raises
     ------
     OutputError
-        From every method, where the folder is missing or read-only or the disk is full.
+        By every method, if the folder is missing or read-only, or the disk is full.
     """
 
     def __init__(self, path):
@@ -127,14 +128,14 @@ class ReportFile:
             raise self._output_error(error) from None
 
     def write(self, text):
-        """Append to the body."""
+        """Append text to the body."""
         try:
             self._body.write(text)
         except OSError as error:
             raise self._output_error(error) from None
 
     def finish(self, head, tail):
-        """Put `head` before the body and `tail` behind it, and make the whole appear."""
+        """Put `head` before the body and `tail` after it, and give the file its final name."""
         part = os.path.join(self._folder, f".skyline-{secrets.token_hex(6)}.part")
         try:
             with open(part, "w", encoding="utf-8", newline="\n") as whole:
@@ -151,8 +152,8 @@ class ReportFile:
             self.discard()
 
     def discard(self):
-        """Leave nothing behind."""
-        with suppress(OSError):  # closing flushes, which fails once more on a full disk
+        """Close and remove the temporary file."""
+        with suppress(OSError):  # closing flushes, which fails again on a full disk
             self._body.close()
 
     def _output_error(self, error):

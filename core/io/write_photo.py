@@ -1,4 +1,4 @@
-"""Write photographs: real JPEG or HEIC files with position, direction and focal length as a phone records them."""
+"""Write photographs as JPEG or HEIC files with position, direction and focal length recorded as by a phone."""
 
 from __future__ import annotations
 
@@ -36,30 +36,30 @@ _STORED_AS = {
     7: lambda p: p[::-1, ::-1].swapaxes(0, 1),
     8: lambda p: np.rot90(p, -1),
 }
-"""How upright pixels are turned for storage, so that a reader who obeys the Orientation tag gets them upright."""
+"""Functions that turn upright pixels for storage, so that applying the Orientation tag makes them upright again."""
 
 
 def write_photo(path, pixels, metadata, quality=92):
-    """Write a photograph; the file appears whole or not at all.
+    """Write a photograph; the file appears complete or not at all.
 
     Parameters
     ----------
     path : str
-        Ends in .jpg, .jpeg, .heic or .heif.
+        File to write, ending in .jpg, .jpeg, .heic or .heif.
     pixels : (H, W, 3) uint8 array
         RGB, upright.
     metadata : PhotoMetadata
-        What is not None is recorded. `orientation` other than 1 stores a JPEG turned, as cameras do; a HEIC is
-        always stored upright. The sizes are those of the pixels.
+        Values other than None are recorded. If `orientation` is not 1, a JPEG is stored rotated, as cameras do; a HEIC
+        is always stored upright. The sizes are taken from the pixels.
     quality : int
-        1 to 100.
+        Quality of the compression, 1 to 100.
 
     Raises
     ------
     MissingPackageError
-        HEIC without pillow-heif.
+        If pillow-heif is missing for HEIC, or Pillow is missing.
     OutputError
-        The folder is missing, closed or full, or the suffix is unknown.
+        If the folder is missing or read-only, the disk is full, or the suffix is unknown.
     """
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
@@ -75,7 +75,7 @@ def write_photo(path, pixels, metadata, quality=92):
     picture = image_module.fromarray(stored)
     exif = _exif(image_module, metadata, orientation)
     part = os.path.join(os.path.dirname(path), f".skyline-{secrets.token_hex(6)}.part{suffix}")
-    memory = io.BytesIO()  # written to a file, Pillow takes half a picture on a full disk for a whole one
+    memory = io.BytesIO()  # Pillow would not notice an incomplete file on a full disk
     if heif is not None:
         heif.from_pillow(picture).save(memory, quality=quality, exif=exif)
     else:
@@ -102,7 +102,7 @@ def _pillow():
 
 
 def _exif(image_module, metadata, orientation):
-    """EXIF block as bytes."""
+    """Make the EXIF block as bytes."""
     exif = image_module.Exif()
     exif[ORIENTATION] = orientation
     exif[SOFTWARE] = "Skyline Viewshed simulation"
@@ -122,7 +122,7 @@ def _camera_tags(metadata):
     if metadata.focal_length_mm is not None:
         tags[FOCAL_LENGTH] = _rational(metadata.focal_length_mm, 1000)
     if metadata.focal_length_35mm is not None:
-        tags[FOCAL_LENGTH_35MM] = int(round(metadata.focal_length_35mm))  # the standard allows whole numbers only
+        tags[FOCAL_LENGTH_35MM] = int(round(metadata.focal_length_35mm))  # the standard allows integers only
     return tags
 
 
@@ -147,7 +147,7 @@ def _gps_tags(metadata):
 
 
 def _degrees_minutes_seconds(angle_deg):
-    """Three rationals; seconds to 1/100000 (0.3 mm on the ground)."""
+    """Convert an angle to three rationals; seconds to 1/100000 (0.3 mm on the ground)."""
     units = round(abs(angle_deg) * 3600 * 100_000)
     minutes, seconds = divmod(units, 60 * 100_000)
     degrees, minutes = divmod(minutes, 60)

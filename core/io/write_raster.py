@@ -1,4 +1,4 @@
-"""Write GeoTIFFs on the grid of an elevation model, in strips, whole or not at all."""
+"""Write GeoTIFFs on the grid of an elevation model in strips; a file appears complete or not at all."""
 
 from __future__ import annotations
 
@@ -31,20 +31,21 @@ SYSTEM_CAUSES = tuple(map(os.strerror, (errno.ENOSPC, errno.EDQUOT, errno.EFBIG,
 
 @dataclass(frozen=True)
 class RasterLayout:
-    """What a file holds beside its cells.
+    """Format and metadata of a raster file.
 
     Attributes
     ----------
     dtype : str
         'uint8', 'int16', 'uint16', 'int32' or 'float32'.
     bands : int
+        Number of bands.
     nodata : float or None
     descriptions, units : sequence of str
-        One per band.
+        One text per band.
     metadata : dict or None
-        Names and texts for the file's header.
+        Items for the file's header.
     alpha : bool
-        The four bands are red, green, blue and opacity.
+        Whether the four bands are red, green, blue and opacity.
     """
 
     dtype: str = "float32"
@@ -58,13 +59,13 @@ class RasterLayout:
 
 @contextmanager
 def new_raster(path, grid, window=None, layout=RasterLayout()):  # noqa: B008 - frozen
-    """Create a GeoTIFF; it takes its name when the block ends without an error, and leaves nothing otherwise.
+    """Create a GeoTIFF, which gets its final name if the block ends without an error and is removed otherwise.
 
     Parameters
     ----------
     path : str
     grid : object
-        With `shape`, `crs_wkt` and `geotransform`: a `Dem`.
+        Object with `shape`, `crs_wkt` and `geotransform`, such as a `Dem`.
     window : Window or None
         Part of the grid that the file covers; None for all of it.
     layout : RasterLayout
@@ -76,7 +77,7 @@ def new_raster(path, grid, window=None, layout=RasterLayout()):  # noqa: B008 - 
     Raises
     ------
     OutputError
-        The folder is missing or read-only, the disk is full, ...
+        If the folder is missing or read-only, the disk is full, ...
     """
     path = os.fspath(path)
     window = window or Window(0, 0, *grid.shape)
@@ -105,12 +106,12 @@ def _create(part, window, layout):
     dtype, alpha = layout.dtype, layout.alpha
     options = ["TILED=YES", f"BLOCKXSIZE={BLOCK_PX}", f"BLOCKYSIZE={BLOCK_PX}", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
     if dtype == "uint8" and not alpha:
-        # Masks come in long runs, which every reader of TIFF knows how to unroll: a fortieth of the plain file, in a
-        # sixth of the time that DEFLATE takes for a third of that.
+        # Masks contain long runs, and every TIFF reader supports PackBits: it makes a fortieth of the plain file, in a
+        # sixth of the time that DEFLATE takes for a third of that size.
         options += ["COMPRESS=PACKBITS"]
     else:
         options += ["COMPRESS=DEFLATE", f"PREDICTOR={3 if dtype == 'float32' else 2}"]
-    # Pictures hardly shrink any further at higher levels, and take three times as long.
+    # At higher levels pictures are hardly smaller and take three times as long.
     options += ["PHOTOMETRIC=RGB", "ALPHA=YES", "ZLEVEL=1"] if alpha else []
     dataset = gdal.GetDriverByName("GTiff").Create(
         part, window.cols, window.rows, layout.bands, GDAL_TYPES[dtype], options
@@ -123,7 +124,7 @@ def _create(part, window, layout):
 def _output_error(path, messages, error):
     said = error.args[0] if error.args and isinstance(error.args[0], Message) else str(error)
     words = [*messages, getattr(error, "strerror", None) or said]
-    # Of all that GDAL says, what the system has said counts; libtiff's own words follow from it.
+    # Among GDAL's messages, that of the operating system states the cause; those of libtiff follow from it.
     reason = next((cause for cause in SYSTEM_CAUSES for text in words if cause in text), words[0])
     folder = os.path.dirname(path) or "."
     if not os.path.isdir(folder):
@@ -136,21 +137,21 @@ def _output_error(path, messages, error):
 
 
 class RasterFile:
-    """A GeoTIFF in the making, as `new_raster` gives it."""
+    """A GeoTIFF that is being written, as `new_raster` gives it."""
 
     def __init__(self, path, dataset, messages):
         self.path, self._dataset, self._messages = path, dataset, messages
 
     def write(self, values, row=0, col=0, band=1):
-        """Write a block; best in strips of a multiple of `BLOCK_PX` rows.
+        """Write a block of cells; strips of a multiple of `BLOCK_PX` rows are fastest.
 
         Parameters
         ----------
         values : (rows, cols) array
         row, col : int
-            Position of the block's first cell in the raster.
+            Cell of the file at which the block begins.
         band : int
-            Counted from 1.
+            Number of the band, from 1.
         """
         target = self._dataset.GetRasterBand(band)
         for start in range(0, values.shape[0], 16 * BLOCK_PX):
@@ -174,7 +175,7 @@ class RasterFile:
 
     def _close(self):
         self._dataset.FlushCache()
-        self._dataset = None  # GDAL writes the directory now; what fails is only told in the messages
+        self._dataset = None  # GDAL writes the directory now; errors are only in the messages
         if self._messages:
             raise OSError("it was not written completely")
 
@@ -187,10 +188,12 @@ def write_raster(path, values, grid, window=None, layout=RasterLayout()):  # noq
     path : str
     values : (R, C) or (B, R, C) array
         bool, uint8, int16, uint16, int32 or float32; bool becomes uint8, float64 becomes float32.
-    grid, window
-        See `new_raster`; the array has the window's size.
+    grid : object
+        Object with `shape`, `crs_wkt` and `geotransform`, such as a `Dem`.
+    window : Window or None
+        Part of the grid that the file covers, of the array's size; None for all of it.
     layout : RasterLayout
-        Its `dtype` and `bands` are taken from the array instead.
+        Format of the file; its `dtype` and `bands` are ignored in favour of the array's.
 
     Raises
     ------

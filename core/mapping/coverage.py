@@ -8,6 +8,7 @@ it.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -38,9 +39,9 @@ class Coverage:
     """
 
     window: Window
-    area: np.ndarray | None = None
-    count: np.ndarray = None
-    best_gsd_m: np.ndarray = None
+    area: Any = None
+    count: Any = None
+    best_gsd_m: Any = None
     names: list = field(default_factory=list)
     _seen: list = field(default_factory=list)
 

@@ -31,7 +31,7 @@ class PlaceState(IntEnum):
     UNKNOWN = 3
 
 
-STATE_NAMES = {state: state.name.lower() for state in PlaceState}
+STATE_NAMES: dict[int, str] = {state: state.name.lower() for state in PlaceState}
 
 
 @dataclass(frozen=True, eq=False)

@@ -35,7 +35,7 @@ def example_terrain(seed=2, size=256, cell_m=90.0, relief_m=2400.0):
     <ArrayTerrain: 256 x 256 cells of 90 m, 500 to 2900 m, centre 8.00000, 46.50000>
     """
     generator = np.random.Generator(np.random.PCG64(seed))
-    frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size))
+    frequency = np.hypot(np.fft.fftfreq(size, 1.0)[:, None], np.fft.rfftfreq(size, 1.0))
     frequency[0, 0] = np.inf  # no mean
     phase = 2 * np.pi * generator.random(frequency.shape)
     surface = np.fft.irfft2(np.exp(1j * phase) / np.maximum(frequency, 3 / size) ** ROUGHNESS, s=(size, size))

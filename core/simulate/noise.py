@@ -131,7 +131,7 @@ def power_spectrum(seed, slope, cells):
        doi:10.1007/978-3-642-84574-1_34 (spectral synthesis).
     """
     generator = np.random.Generator(np.random.PCG64(seed))
-    frequency = np.hypot(np.fft.rfftfreq(cells)[None, :], np.fft.fftfreq(cells)[:, None]) * cells
+    frequency = np.hypot(np.fft.rfftfreq(cells, 1.0)[None, :], np.fft.fftfreq(cells, 1.0)[:, None]) * cells
     phase = generator.random(frequency.shape) * 2 * np.pi
     # Random phases alone give equal amplitudes; a random amplitude too avoids visible regularity in small tiles.
     amplitude = np.sqrt(-np.log(1 - generator.random(frequency.shape))) / np.maximum(frequency, 1.0) ** slope
