@@ -6,7 +6,6 @@ turns every error in a photograph into an answer with status 'failed' and a mess
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,11 +20,10 @@ from .base.model import Orientation, OrientedPhoto
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
-from .horizon.inner import inner_terrain
 from .io.photo import read_photo
 from .match.landmarks import Landmark
 from .match.prior import HeadingPrior, compass_prior, true_heading_deg
-from .pipeline import Hints, OrientOptions, Setting, camera_prior, cast_horizon, orient_photo
+from .pipeline import Hints, HorizonCache, OrientOptions, Setting, camera_prior, orient_photo, other_eyes
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
@@ -105,53 +103,6 @@ class PhotoRequest:
     sky_mask_path: str | None = None
 
 
-class HorizonCache:
-    """Cache of the last horizons and the terrain below them, for photographs taken from one station.
-
-    Parameters
-    ----------
-    size : int
-        Number of stations kept; each takes about 4 MB.
-    """
-
-    def __init__(self, size=16):
-        self.size = size
-        self._kept = OrderedDict()
-
-    def profile(self, dem, observer, options, progress=SILENT):
-        """Return the observer's `HorizonProfile`, computed only if it is not cached.
-
-        Parameters
-        ----------
-        dem : core.io.raster.Dem
-        observer : Observer
-        options : HorizonOptions or PaperHorizonOptions
-        progress : Progress
-        """
-        return self._look_up(cast_horizon, dem, observer, options, progress)
-
-    def inner(self, dem, observer, options, progress=SILENT):
-        """Return the `InnerTerrain` below the observer's horizon in the same way.
-
-        Parameters
-        ----------
-        dem, observer, progress
-            As for `profile`.
-        options : InnerOptions
-        """
-        return self._look_up(inner_terrain, dem, observer, options, progress)
-
-    def _look_up(self, compute, dem, observer, options, progress):
-        # A DEM is equal only to itself; as part of the key it stays alive as long as its results do.
-        key = (compute, dem, observer, options)
-        if key not in self._kept:
-            self._kept[key] = compute(dem, observer, options, progress)
-            while len(self._kept) > 2 * self.size:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
-
-
 def orient_request(request, dem, options=OrientOptions(), cache=None, progress=SILENT, photo=None):  # noqa: B008 - frozen
     """Orient one photograph.
 
@@ -197,8 +148,11 @@ def _orient(request, photo, dem, options, cache, progress):
     error = request.position_error_m
     if error is None and not given:
         error = metadata.position_error_m
-    inner = None if paper else cache.inner(dem, observer, options.inner)
-    setting = Setting(observer, prior, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M)
+    inner, eyes = None, ()
+    if not paper:
+        inner = cache.inner(dem, observer, options.inner)
+        eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, cache)
+    setting = Setting(observer, prior, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M, eyes)
     oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
     notes = metadata.notes + _eye_notes(request, metadata, oriented) + oriented.orientation.notes
     return replace(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import dataclass, field, replace
 
 from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px
@@ -14,7 +15,8 @@ from .base.terrain import Observer, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
-from .match.inputs import MatchInputs
+from .match.eyes import EyeOptions, differs, eye_offsets_m
+from .match.inputs import Eye, MatchInputs
 from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
@@ -34,9 +36,8 @@ class OrientOptions:
     method : str
         'robust', or 'paper' for the published method, which has its own field of view, range and straight rays.
     compass : str
-        'ignore' never uses the recorded heading; 'prior' uses it as a soft prior.
-    horizon, inner, skyline, robust : HorizonOptions, InnerOptions, SkylineOptions, RobustOptions
-        Options of the stages of the robust method.
+        'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
+    horizon, inner, eyes, skyline, robust : options of the robust method's stages
     paper : PaperOptions
         Options of the published method.
     """
@@ -45,6 +46,7 @@ class OrientOptions:
     compass: str = "ignore"
     horizon: HorizonOptions = field(default_factory=HorizonOptions)
     inner: InnerOptions = field(default_factory=InnerOptions)
+    eyes: EyeOptions = field(default_factory=EyeOptions)
     skyline: SkylineOptions = field(default_factory=SkylineOptions)
     robust: RobustOptions = field(default_factory=RobustOptions)
     paper: PaperOptions = field(default_factory=PaperOptions)
@@ -97,6 +99,8 @@ class Setting:
         Terrain below that horizon, likewise.
     position_error_m : float
         Standard deviation of the position [m].
+    other_eyes : tuple of Eye
+        See `other_eyes`.
     """
 
     observer: Observer
@@ -105,6 +109,7 @@ class Setting:
     horizon: HorizonProfile | None = None
     inner: InnerTerrain | None = None
     position_error_m: float = TYPICAL_POSITION_ERROR_M
+    other_eyes: tuple = ()
 
 
 def cast_horizon(terrain, observer, options, progress=SILENT):
@@ -125,6 +130,85 @@ def cast_horizon(terrain, observer, options, progress=SILENT):
     if isinstance(options, PaperHorizonOptions):
         return paper_horizon(terrain, observer, replace(options, eye_height_m=observer.eye_height_m), progress)
     return horizon_profile(terrain, observer, options, progress)
+
+
+class HorizonCache:
+    """The last horizons and the terrain below them, for photographs taken from one station.
+
+    Parameters
+    ----------
+    size : int
+        Stations kept; each takes about 4 MB.
+    """
+
+    def __init__(self, size=16):
+        self.size = size
+        self._kept = OrderedDict()
+
+    def profile(self, dem, observer, options, progress=SILENT):
+        """Give the observer's `HorizonProfile`, cast anew only where it is not among the last ones.
+
+        Parameters
+        ----------
+        dem : core.io.raster.Dem
+        observer : Observer
+        options : HorizonOptions or PaperHorizonOptions
+        progress : Progress
+        """
+        return self._look_up(cast_horizon, dem, observer, options, progress)
+
+    def inner(self, dem, observer, options, progress=SILENT):
+        """Give the `InnerTerrain` below the observer's horizon in the same way.
+
+        Parameters
+        ----------
+        dem, observer, progress
+            As `profile` takes them.
+        options : InnerOptions
+        """
+        return self._look_up(inner_terrain, dem, observer, options, progress)
+
+    def _look_up(self, compute, dem, observer, options, progress):
+        # A DEM equals itself only; as part of the key it stays alive as long as its results.
+        key = (compute, dem, observer, options)
+        if key not in self._kept:
+            self._kept[key] = compute(dem, observer, options, progress)
+            while len(self._kept) > 2 * self.size:
+                self._kept.popitem(last=False)
+        self._kept.move_to_end(key)
+        return self._kept[key]
+
+
+def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
+    """What the DEM shows from further elevations of the eye; nothing if the eye's elevation is given.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    horizon : HorizonProfile
+        From the assumed eye.
+    altitude_m : float or None
+        As the photograph records it [m].
+    options : OrientOptions
+    cache : HorizonCache
+
+    Returns
+    -------
+    tuple of Eye
+    """
+    if observer.eye_elevation_m is not None:
+        return ()
+    assumed_m, error = horizon.eye_elevation_m, options.robust.refine.terrain_error_cells
+    recorded = None if altitude_m is None else altitude_m - assumed_m
+    found, shown = [], [horizon]
+    for offset_m, log_prior in eye_offsets_m(horizon.cell_m, recorded, options.eyes):
+        place = replace(observer, eye_elevation_m=assumed_m + offset_m)
+        other = cache.profile(terrain, place, options.horizon)
+        if all(differs(earlier, other, error, options.eyes) for earlier in shown):
+            found.append(Eye(other, cache.inner(terrain, place, options.inner), log_prior))
+            shown.append(other)
+    return tuple(found)
 
 
 def camera_prior(metadata, hfov_deg=None):
@@ -196,6 +280,8 @@ def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILE
     except SkylineNotFoundError as error:
         orientation, skyline = Orientation("rejected", error.message), None
     best = orientation.best
+    if orientation.eye:
+        horizon = setting.other_eyes[orientation.eye - 1].horizon
     return OrientedPhoto(
         photo.metadata.path,
         orientation,
@@ -231,6 +317,7 @@ def _robustly(photo, setting, options, progress):
         hints.landmarks,
         setting.position_error_m,
         setting.inner,
+        setting.other_eyes,
     )
     orientation = match_robust(inputs, robust, subtask(progress, 0.4, 1.0))
     return orientation, evidence.rival if orientation.behind else evidence

@@ -179,6 +179,9 @@ class Orientation:
         Remarks for the user (disagreement of eye heights, clipped horizon, ...); a plain str is not translated.
     behind : bool
         Whether the horizon was matched with the `rival` of the evidence.
+        The horizon was matched with the evidence's rival.
+    eye : int
+        Which hypothesis of the eye's elevation the best answer belongs to; 0 is the assumed one.
     """
 
     status: str
@@ -195,6 +198,7 @@ class Orientation:
     residual_px: np.ndarray | None = None
     notes: tuple[str, ...] = ()
     behind: bool = False
+    eye: int = 0
 
     @property
     def best(self) -> Candidate | None:

@@ -12,7 +12,6 @@ import numpy as np
 
 from .geometry import horizon_rows
 from .posterior import answer_probabilities, p_correct, weigh
-from .refine import Objective
 from .search import CoarseResult
 
 LANDMARK_LIMIT = 3.0
@@ -69,10 +68,13 @@ class Answers:
 
     Attributes
     ----------
-    objective : Objective
+    objectives : tuple of Objective
+        One for each hypothesis of the eye.
     coarse : CoarseResult
     trials : (K, 5) array
         See `geometry.PARAMETERS`; best first.
+    eye : (K,) int array
+        Hypothesis of the eye to which each answer belongs.
     scale : (K,) array
         Multiple of the expected tolerance at which each fits best.
     finding : Finding
@@ -80,33 +82,69 @@ class Answers:
         Lower limit of the standard deviation of a heading [degrees].
     """
 
-    objective: Objective
+    objectives: tuple
     coarse: CoarseResult
     trials: np.ndarray
+    eye: np.ndarray
     scale: np.ndarray
     finding: Finding
     floor_deg: float
 
+    @property
+    def objective(self):
+        """The objective of the best answer."""
+        return self.objectives[self.eye[0]]
+
     def reordered(self, order):
-        """Return the answers in another order, examined again for the new first one."""
-        trials, scale = self.trials[order], self.scale[order]
-        finding = examine(self.objective, trials, self.finding.score[order], scale, self.floor_deg)
-        return replace(self, trials=trials, scale=scale, finding=finding)
+        """The same answers, with another one first."""
+        trials, eye, scale = self.trials[order], self.eye[order], self.scale[order]
+        fits = Fits(trials, eye, self.finding.score[order], scale)
+        return replace(
+            self, trials=trials, eye=eye, scale=scale, finding=examine(self.objectives, fits, self.floor_deg)
+        )
 
 
-def examine(objective, trials, score, scale, floor_deg):
-    """Gather a `Finding` from distinct trials, best first.
+@dataclass(frozen=True, eq=False)
+class Fits:
+    """Fitted trials, best first.
+
+    Attributes
+    ----------
+    trials : (K, 5) array
+        See `geometry.PARAMETERS`.
+    eye : (K,) int array
+        Hypothesis of the eye under which each was fitted.
+    score, scale : (K,) arrays
+        `scale` is the multiple of the expected tolerance at which a trial fits best.
+    """
+
+    trials: np.ndarray
+    eye: np.ndarray
+    score: np.ndarray
+    scale: np.ndarray
+
+    def take(self, index):
+        """The same of some of the trials, in the order of `index`."""
+        return Fits(self.trials[index], self.eye[index], self.score[index], self.scale[index])
+
+
+def examine(objectives, fits, floor_deg):
+    """Gather a `Finding` from distinct trials.
 
     Parameters
     ----------
-    objective : Objective
-    trials : (K, 5) array
-        See `geometry.PARAMETERS`.
-    score, scale : (K,) arrays
-        `scale` is the multiple of the expected tolerance at which a trial fits best.
+    objectives : sequence of refine.Objective
+        One for each hypothesis of the eye.
+    fits : Fits
     floor_deg : float
         Lower limit of the standard deviation of a heading [degrees].
     """
+    objective, trials = objectives[fits.eye[0]], fits.trials
+    sigma = np.empty(len(trials))
+    for eye in np.unique(fits.eye):
+        own = fits.eye == eye
+        position = objectives[eye].position_error_m
+        sigma[own] = heading_sigma_deg(objectives[eye], trials[own], fits.scale[own], position, floor_deg)
     columns, probability = objective.columns(1), objective.stack.probability
     row, tolerance = objective.rows(trials[:1], columns)
     row, tolerance = row[0], tolerance[0]
@@ -116,8 +154,8 @@ def examine(objective, trials, score, scale, floor_deg):
     miss = np.abs(likeliest - 0.5 - row)[inside]
     return Finding(
         trials[:, 0],
-        score,
-        heading_sigma_deg(objective, trials, scale, objective.position_error_m, floor_deg),
+        fits.score,
+        sigma,
         float(np.degrees(relief_px(columns[inside], row[inside]) / objective.camera.focal_px)),
         float(np.mean(value > np.log(3.0))),
         float(np.median(miss)) if len(miss) else float(objective.stack.shape[0]),

@@ -13,14 +13,13 @@ class InnerEvidence:
 
     Parameters
     ----------
-    objective : Objective
-    inputs : MatchInputs
-        Its evidence and its inner terrain are used.
-    options : RobustOptions
+    objective : refine.Objective
+    evidence : SkylineEvidence
+    inner : InnerTerrain or None
+    options : robust.RobustOptions
     """
 
-    def __init__(self, objective, inputs, options):
-        evidence, inner = inputs.evidence, inputs.inner
+    def __init__(self, objective, evidence, inner, options):
         self._objective = objective
         self._crests = self._ground = None
         if inner is None:

@@ -10,6 +10,24 @@ from .prior import CameraPrior, HeadingPrior
 
 
 @dataclass(frozen=True, eq=False)
+class Eye:
+    """One hypothesis of the eye's elevation, and what the DEM shows from there.
+
+    Attributes
+    ----------
+    horizon : HorizonProfile
+    inner : InnerTerrain or None
+        Crests and ground below the horizon, for second evidence.
+    log_prior : float
+        Natural logarithm of its prior probability relative to the first hypothesis.
+    """
+
+    horizon: HorizonProfile
+    inner: object | None = None
+    log_prior: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
 class MatchInputs:
     """Everything known about one photograph before the match.
 
@@ -28,7 +46,9 @@ class MatchInputs:
     position_error_m : float
         Standard deviation of the observer's position [m].
     inner : InnerTerrain or None
-        Crests and ground below the horizon, for additional evidence.
+        Crests and ground below the horizon, for second evidence.
+    other_eyes : tuple of Eye
+        Further hypotheses of the eye's elevation; see `eyes.py`.
     """
 
     evidence: SkylineEvidence
@@ -38,6 +58,12 @@ class MatchInputs:
     landmarks: tuple = ()
     position_error_m: float = TYPICAL_POSITION_ERROR_M
     inner: object | None = None
+    other_eyes: tuple = ()
+
+    @property
+    def eyes(self):
+        """All hypotheses of the eye's elevation, the assumed one first."""
+        return (Eye(self.horizon, self.inner), *self.other_eyes)
 
     @property
     def reduced_prior(self):

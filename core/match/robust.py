@@ -5,7 +5,7 @@ docs/accuracy.md describes the stages and the measurements.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -15,7 +15,7 @@ from ..base.curves import correlation, distinct_headings, sharpness
 from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
-from .finding import Answers, examine, judge, relief_px
+from .finding import Answers, Fits, examine, judge, relief_px
 from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .ground import GroundMatchOptions
 from .inner import InnerEvidence
@@ -54,7 +54,9 @@ class RobustOptions:
     same_answer_deg : float
         Headings closer than this count as one answer [degrees].
     heading_floor_deg : float
-        Lower limit of the standard deviation of a heading [degrees].
+        Smallest standard deviation that a heading is credited with.
+    second_misled : float
+        Probability that the inside of the picture misleads: bounds what it counts against the skyline.
     """
 
     likelihood: LikelihoodOptions = field(default_factory=LikelihoodOptions)
@@ -68,6 +70,7 @@ class RobustOptions:
     full_fits: int = 14
     same_answer_deg: float = 1.5
     heading_floor_deg: float = 0.1
+    second_misled: float = 0.1
 
 
 def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
@@ -119,6 +122,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         + _edge_notes(answers)
         + ((BEHIND_NOTE,) if behind else ()),
         behind=behind,
+        eye=int(answers.eye[0]),
     )
 
 
@@ -140,7 +144,8 @@ def _look(inputs, options, progress):
     if found.status == "accepted":
         return found, False
     behind = _judged(inputs.behind, options, subtask(progress, 0.6, 1.0))
-    share = crest_share(behind.answers.objective, behind.answers.trials[0], inputs.evidence, inputs.inner.ridges)
+    eye = inputs.eyes[behind.answers.eye[0]]
+    share = crest_share(behind.answers.objective, behind.answers.trials[0], inputs.evidence, eye.inner.ridges)
     if share < BEHIND_SHARE or behind.probability[0] <= found.probability[0]:
         return found, False
     return behind, True
@@ -195,20 +200,29 @@ def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     -------
     Answers
     """
-    evidence, prior, curve = inputs.evidence, inputs.reduced_prior, HorizonCurve(inputs.horizon)
+    evidence, prior, eyes = inputs.evidence, inputs.reduced_prior, inputs.eyes
     stack = EvidenceStack(evidence.probability, options.likelihood, evidence.leaves_frame)
     marks = scale_landmarks(inputs.landmarks, inputs.camera_prior.camera, prior.camera)
-    objective = Objective(stack, prior, curve, options.refine, marks, inputs.position_error_m)
+    curves = [HorizonCurve(eye.horizon) for eye in eyes]
+    objectives = tuple(
+        Objective(stack, prior, curve, options.refine, marks, inputs.position_error_m) for curve in curves
+    )
     grid = options.search.for_picture(prior.camera.hfov_deg, _skyline_relief_deg(stack, prior.camera))
     belief = partial(_belief, inputs.heading_prior)
-    coarse = coarse_search(stack, prior.camera, curve, grid, belief, subtask(progress, 0.0, 0.4))
+    coarse = coarse_search(stack, prior.camera, curves, grid, belief, subtask(progress, 0.0, 0.4))
     starts = [starting_pose(prior.camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
-    starts = np.concatenate([starts, coarse.candidates])
-    second = InnerEvidence(objective, inputs, options)
-    trials, score, scale = _fit(objective, starts, second, belief, options, subtask(progress, 0.4, 1.0))
-    finding = examine(objective, trials, score, scale, options.heading_floor_deg)
-    return Answers(objective, coarse, trials, scale, finding, options.heading_floor_deg)
+    scorers = [
+        Scorer(
+            objective, InnerEvidence(objective, evidence, eye.inner, options), eye.log_prior / table()["temperature"]
+        )
+        for objective, eye in zip(objectives, eyes)
+    ]
+    starts = [np.concatenate([starts, found.candidates]) for found in coarse]
+    fits = _fit(scorers, starts, belief, options, subtask(progress, 0.4, 1.0))
+    finding = examine(objectives, fits, options.heading_floor_deg)
+    around = coarse[fits.eye[0]]
+    return Answers(objectives, around, fits.trials, fits.eye, fits.scale, finding, options.heading_floor_deg)
 
 
 def _skyline_relief_deg(stack, camera):
@@ -223,27 +237,78 @@ def _belief(heading_prior, heading_deg):
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
 
 
-def _fit(objective, starts, second, belief, options, progress):
-    """Fit all candidates briefly, and the best distinct ones in full.
+@dataclass(frozen=True, eq=False)
+class Scorer:
+    """What trials are worth under one hypothesis of the eye: skyline, second evidence, and the hypothesis itself."""
 
-    Returns distinct trials, their scores and their tolerance scales, best first. The heading prior helps to choose
-    which candidates are fitted; the scores come from the picture alone.
+    objective: Objective
+    second: InnerEvidence
+    prior: float
+
+
+def _fit(scorers, starts, belief, options, progress):
+    """Short fits of all candidates of each eye, full fits of the best distinct ones of all.
+
+    The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
     """
-    trials = np.column_stack([starts, np.zeros((len(starts), 2))])
-    trials, score, _ = _best_over_scales(objective, trials, options.short_scales, 4, subtask(progress, 0.0, 0.5))
-    score = score + second.score(trials) + belief(trials[:, 0])
-    kept = distinct_headings(trials[:, 0], score, options.same_answer_deg)[: options.full_fits]
-    scales = sorted(options.refine.error_scales, reverse=True)
-    # Each scale starts where the short fit ended: at a wide tolerance an answer may drift from a correct position.
-    part = subtask(progress, 0.5, 1.0)
-    best, best_score, scale = _best_over_scales(objective, trials[kept], scales, 1, part, chained=False)
-    best_score = best_score + second.score(best)
-    first = int(best_score.argmax())
-    if second and options.turn.reach_deg > 0:
-        best[first], best_score[first] = turn(objective, second, best[first], scale[first], options.turn)
-    kept = distinct_headings(best[:, 0], best_score, options.same_answer_deg)
-    best[:, 0] = wrap_360(best[:, 0])
-    return best[kept], best_score[kept], scale[kept]
+    short = []
+    for index, (scorer, candidates) in enumerate(zip(scorers, starts)):
+        part = subtask(progress, 0.5 * index / len(scorers), 0.5 * (index + 1) / len(scorers))
+        trials = np.column_stack([candidates, np.zeros((len(candidates), 2))])
+        trials, score, scale = _best_over_scales(scorer.objective, trials, options.short_scales, 4, part)
+        score = score + scorer.prior + belief(trials[:, 0])
+        short.append(Fits(trials, np.full(len(trials), index), score, scale))
+    kept = _distinct(_joined(short), options)
+    kept = kept.take(np.arange(min(options.full_fits, len(kept.score))))
+    # Each from where the short fit left it: at a wide tolerance an answer may drift from a place that is already right.
+    scales, full = sorted(options.refine.error_scales, reverse=True), []
+    for index, scorer in enumerate(scorers):
+        own = kept.take(np.flatnonzero(kept.eye == index))
+        if not len(own.score):
+            continue
+        part = subtask(progress, 0.5 + 0.5 * index / len(scorers), 0.5 + 0.5 * (index + 1) / len(scorers))
+        trials, score, scale = _best_over_scales(scorer.objective, own.trials, scales, 1, part, chained=False)
+        full.append(Fits(trials, own.eye, score + scorer.prior, scale))
+    fits = _distinct(_joined(full), options)
+    fits = _with_second_evidence(fits, scorers, options)
+    first = int(fits.score.argmax())
+    scorer = scorers[fits.eye[first]]
+    if scorer.second and options.turn.reach_deg > 0:
+        fits.trials[first] = turn(scorer.objective, scorer.second, fits.trials[first], fits.scale[first], options.turn)[
+            0
+        ]
+        fits = _distinct(fits, options)
+    fits.trials[:, 0] = wrap_360(fits.trials[:, 0])
+    return fits
+
+
+def _with_second_evidence(fits, scorers, options):
+    """The same fits, best first, after the inside of the picture has had its say.
+
+    With the probability `second_misled` the inside of the picture is misleading (snow, cloud shadow, forest) and says
+    nothing; so it can weigh one answer against another by no more than that share, and not overrule a clear skyline.
+    """
+    inside = np.zeros(len(fits.score))
+    for index, scorer in enumerate(scorers):
+        own = fits.eye == index
+        if scorer.second and own.any():
+            inside[own] = scorer.second.score(fits.trials[own])
+    worth, misled = table()["temperature"], options.second_misled
+    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) / worth
+    fits = replace(fits, score=fits.score + likelihood)
+    return fits.take(np.argsort(-fits.score, kind="stable"))
+
+
+def _joined(fits):
+    """Fits of several eyes as one."""
+    return Fits(
+        *(np.concatenate([getattr(part, name) for part in fits]) for name in ("trials", "eye", "score", "scale"))
+    )
+
+
+def _distinct(fits, options):
+    """The best fit of each distinct heading, best first."""
+    return fits.take(distinct_headings(fits.trials[:, 0], fits.score, options.same_answer_deg))
 
 
 def _best_over_scales(objective, trials, scales, stride, progress, chained=True):

@@ -118,8 +118,8 @@ class DrawnHorizon:
     step_deg: float
 
 
-def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, progress=SILENT):  # noqa: B008 - frozen
-    """Score all headings and pitches.
+def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, progress=SILENT):  # noqa: B008 - frozen
+    """Score all headings and pitches against one or several horizons.
 
     Parameters
     ----------
@@ -127,7 +127,8 @@ def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, pr
         Its probabilities also determine which pitches are tried.
     camera : Camera
         Of the reduced picture.
-    curve : HorizonCurve
+    curves : sequence of HorizonCurve
+        One for each hypothesis of the eye; the picture is resampled once for all of them.
     options : SearchOptions
     belief : callable or None
         Takes headings (N,) [degrees] and returns what is added to their scores when the candidates are chosen; the
@@ -136,35 +137,50 @@ def coarse_search(stack, camera, curve, options=SearchOptions(), belief=None, pr
 
     Returns
     -------
-    CoarseResult
+    list of CoarseResult
+        One for each horizon.
     """
     step = options.step_deg
-    count = int(round(360 / step))
-    heading = np.arange(count) * step
-    elevation = curve.elevation_at(heading)
-    line = _drawn_line(elevation, step, curve.known[curve.nearest(heading)])
-    drawn = DrawnHorizon(fft.rfft(line, axis=1), _rows_held(line), step)
+    heading = np.arange(int(round(360 / step))) * step
+    elevations = [curve.elevation_at(heading) for curve in curves]
+    drawn = [
+        _drawn(elevation, step, curve.known[curve.nearest(heading)]) for elevation, curve in zip(elevations, curves)
+    ]
     evidence = stack.at_tolerance(max(1.0, np.radians(options.tolerance_deg) * camera.focal_px))
     # An additional row stands for everything above the picture.
     evidence = np.vstack([stack.above_frame[None], evidence]).astype(np.float32)
-    pitches = _trial_pitches(stack.probability, camera, elevation, options.pitch_step_deg)
-    rolls = options.rolls_deg(camera.hfov_deg)
-    best = np.full(count, -np.inf)
-    best_pitch, best_roll = np.zeros(count), np.zeros(count)
+    pitches = _trial_pitches(stack.probability, camera, np.concatenate(elevations), options.pitch_step_deg)
+    best = [_Best(heading) for _ in curves]
     for index, pitch in enumerate(pitches):
         checkpoint(progress, index / len(pitches))
-        for roll in rolls:
-            scores, shifts = _correlate(evidence, camera, Pose(0.0, pitch, roll), drawn, options.pitch_step_deg)
-            winner = scores.argmax(axis=0)
-            top = scores[winner, np.arange(count)]
-            better = top > best
-            best[better] = top[better]
-            best_pitch[better] = pitch + shifts[winner[better]] * step
-            best_roll[better] = roll
-    wanted = best if belief is None else best + belief(heading)
-    peaks = distinct_peaks(heading, wanted, options.keep, options.separation_deg)
-    candidates = np.column_stack([heading[peaks], best_pitch[peaks], best_roll[peaks]])
-    return CoarseResult(heading, best, candidates)
+        for roll in options.rolls_deg(camera.hfov_deg):
+            trial = Pose(0.0, pitch, roll)
+            for one, scores in zip(best, _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)):
+                one.add(trial, *scores, step)
+    return [one.result(options, belief) for one in best]
+
+
+class _Best:
+    """The best score over pitch and roll of every heading, and where it was."""
+
+    def __init__(self, heading_deg):
+        self.heading_deg, count = heading_deg, len(heading_deg)
+        self.score = np.full(count, -np.inf)
+        self.pitch_deg, self.roll_deg = np.zeros(count), np.zeros(count)
+
+    def add(self, trial, scores, shifts, step):
+        winner = scores.argmax(axis=0)
+        top = scores[winner, np.arange(scores.shape[1])]
+        better = top > self.score
+        self.score[better] = top[better]
+        self.pitch_deg[better] = trial.pitch_deg + shifts[winner[better]] * step
+        self.roll_deg[better] = trial.roll_deg
+
+    def result(self, options, belief):
+        wanted = self.score if belief is None else self.score + belief(self.heading_deg)
+        peaks = distinct_peaks(self.heading_deg, wanted, options.keep, options.separation_deg)
+        candidates = np.column_stack([self.heading_deg[peaks], self.pitch_deg[peaks], self.roll_deg[peaks]])
+        return CoarseResult(self.heading_deg, self.score, candidates)
 
 
 def distinct_peaks(heading_deg, score, keep, separation_deg):
@@ -227,16 +243,17 @@ def _trial_pitches(probability, camera, elevation_deg, pitch_step_deg):
 
 
 def _correlate(evidence, camera, trial, drawn, pitch_step_deg):
-    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in raster rows.
+    """Scores (shifts, N) of all headings for pitches around one trial, and the shifts in rows, for each drawn horizon.
 
     The first row of `evidence` stands for everything above the picture; the trial is a `Pose` of heading 0.
     """
-    step, held = drawn.step_deg, drawn.held_rows
+    step = drawn[0].step_deg
+    held = min(line.held_rows[0] for line in drawn), max(line.held_rows[1] for line in drawn)
     height, width = evidence.shape[0] - 1, evidence.shape[1]
     half_diagonal = np.degrees(np.arctan(np.hypot(width, height) / 2 / camera.focal_px))
     reach = int(np.ceil((half_diagonal + 1) / step))
     offset = np.arange(-reach, reach + 1) * step
-    rows, count = drawn.spectrum.shape[0], (drawn.spectrum.shape[1] - 1) * 2
+    rows, count = drawn[0].spectrum.shape[0], (drawn[0].spectrum.shape[1] - 1) * 2
     half_height = np.degrees(np.arctan(height / 2 / camera.focal_px))
     low = ELEVATION_RANGE_DEG[0]
     half = int(np.ceil(pitch_step_deg / 2 / step))
@@ -245,7 +262,7 @@ def _correlate(evidence, camera, trial, drawn, pitch_step_deg):
     last = min(int(np.ceil((trial.pitch_deg + half_height + ABOVE_FRAME_DEG - low) / step)), held[1] + half)
     first, last = max(first, 0), min(last, rows - 1)
     if first > last:
-        return np.zeros((len(shifts), count), np.float32), shifts
+        return [(np.zeros((len(shifts), count), np.float32), shifts)] * len(drawn)
     elevation = low + np.arange(first, last + 1) * step
     x, y = project(camera, trial, offset[None, :], elevation[:, None])
     y = np.maximum(y + EDGE_ROW, -1) + 1
@@ -255,9 +272,21 @@ def _correlate(evidence, camera, trial, drawn, pitch_step_deg):
     raster = np.zeros((len(elevation), count), np.float32)
     raster[:, np.arange(-reach, reach + 1) % count] = seen
     spectrum = np.conj(fft.rfft(raster, axis=1))
+    return [(_correlated(line.spectrum, spectrum, first, shifts, count), shifts) for line in drawn]
+
+
+def _correlated(line, spectrum, first, shifts, count):
+    """Circular correlation (shifts, count) along the azimuth, summed over the rows at which both are known."""
+    rows, last = line.shape[0], first + len(spectrum) - 1
     product = np.zeros((len(shifts), spectrum.shape[1]), np.complex64)
     for index, shift in enumerate(shifts):
         start, stop = max(first + shift, 0), min(last + 1 + shift, rows)
         part = slice(start - shift - first, stop - shift - first)
-        product[index] = np.einsum("ea,ea->a", drawn.spectrum[start:stop], spectrum[part])
-    return fft.irfft(product, n=count, axis=1), shifts
+        product[index] = np.einsum("ea,ea->a", line[start:stop], spectrum[part])
+    return fft.irfft(product, n=count, axis=1)
+
+
+def _drawn(elevation_deg, step, known):
+    """The `DrawnHorizon` of elevation angles in steps of azimuth."""
+    line = _drawn_line(elevation_deg, step, known)
+    return DrawnHorizon(fft.rfft(line, axis=1), _rows_held(line), step)
