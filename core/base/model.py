@@ -179,7 +179,6 @@ class Orientation:
         Remarks for the user (disagreement of eye heights, clipped horizon, ...); a plain str is not translated.
     behind : bool
         Whether the horizon was matched with the `rival` of the evidence.
-        The horizon was matched with the evidence's rival.
     eye : int
         Which hypothesis of the eye's elevation the best answer belongs to; 0 is the assumed one.
     """
