@@ -15,8 +15,7 @@ from .base.terrain import Observer, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
-from .match.eyes import EyeOptions, differs, eye_offsets_m
-from .match.inputs import Eye, MatchInputs
+from .match.inputs import Eye, EyeOptions, MatchInputs, differs, eye_offsets_m
 from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon

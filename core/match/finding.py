@@ -6,19 +6,11 @@ probabilities by the calibration and the heading prior.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from .geometry import horizon_rows
-from .posterior import answer_probabilities, p_correct, weigh
-from .search import CoarseResult
-
-LANDMARK_LIMIT = 3.0
-"""Largest miss at which an answer still fits a landmark [standard deviations]."""
-
-LANDMARK_PROBABILITY = 0.95
-"""Smallest p_correct of an answer that fits every landmark; the remainder allows for slips of the hand."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,72 +52,6 @@ class Finding:
     def gap(self):
         """Score of the best answer minus that of the second; 0 if there is no second answer."""
         return float(self.score[0] - self.score[1]) if len(self.score) > 1 else 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Answers:
-    """Distinct answers before they are judged.
-
-    Attributes
-    ----------
-    objectives : tuple of Objective
-        One for each hypothesis of the eye.
-    coarse : CoarseResult
-    trials : (K, 5) array
-        See `geometry.PARAMETERS`; best first.
-    eye : (K,) int array
-        Hypothesis of the eye to which each answer belongs.
-    scale : (K,) array
-        Multiple of the expected tolerance at which each fits best.
-    finding : Finding
-    floor_deg : float
-        Lower limit of the standard deviation of a heading [degrees].
-    """
-
-    objectives: tuple
-    coarse: CoarseResult
-    trials: np.ndarray
-    eye: np.ndarray
-    scale: np.ndarray
-    finding: Finding
-    floor_deg: float
-
-    @property
-    def objective(self):
-        """The objective of the best answer."""
-        return self.objectives[self.eye[0]]
-
-    def reordered(self, order):
-        """The same answers, with another one first."""
-        trials, eye, scale = self.trials[order], self.eye[order], self.scale[order]
-        fits = Fits(trials, eye, self.finding.score[order], scale)
-        return replace(
-            self, trials=trials, eye=eye, scale=scale, finding=examine(self.objectives, fits, self.floor_deg)
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Fits:
-    """Fitted trials, best first.
-
-    Attributes
-    ----------
-    trials : (K, 5) array
-        See `geometry.PARAMETERS`.
-    eye : (K,) int array
-        Hypothesis of the eye under which each was fitted.
-    score, scale : (K,) arrays
-        `scale` is the multiple of the expected tolerance at which a trial fits best.
-    """
-
-    trials: np.ndarray
-    eye: np.ndarray
-    score: np.ndarray
-    scale: np.ndarray
-
-    def take(self, index):
-        """The same of some of the trials, in the order of `index`."""
-        return Fits(self.trials[index], self.eye[index], self.score[index], self.scale[index])
 
 
 def examine(objectives, fits, floor_deg):
@@ -208,26 +134,3 @@ def _sureness(probability, likeliest, reach_px=2):
     columns = np.arange(width)
     near = [probability[np.clip(likeliest + d, 0, height - 1), columns] for d in range(-reach_px, reach_px + 1)]
     return float(np.minimum(np.sum(near, axis=0), 1).mean()) if width else 0.0
-
-
-def judge(answers, heading_prior=None):
-    """Return the answers and the probability of each, from the picture and the heading prior, best first.
-
-    The probabilities are first computed from the picture alone, since they are calibrated that way; the heading prior
-    is applied afterwards.
-    """
-    best_probability = p_correct(answers.finding)
-    if _landmarks_met(answers):
-        best_probability = max(best_probability, LANDMARK_PROBABILITY)
-    probability = answer_probabilities(answers.finding, best_probability)
-    if heading_prior is None:
-        return answers, probability
-    probability = weigh(probability, answers.trials[:, 0], heading_prior)
-    order = np.argsort(-probability, kind="stable")
-    return answers.reordered(order), probability[order]
-
-
-def _landmarks_met(answers):
-    """Whether there are landmarks and the best answer fits all of them."""
-    miss = answers.objective.landmark_residual(answers.trials[:1])
-    return miss.size > 0 and bool((np.abs(miss) < LANDMARK_LIMIT).all())

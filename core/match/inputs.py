@@ -1,8 +1,16 @@
-"""Define the inputs of a match: everything known about one photograph before the search for its heading."""
+"""Define the inputs of a match: everything known about one photograph before the search for its heading.
+
+The elevation of the eye is one of the unknowns. Near terrain rises or sinks in the picture when the eye moves; far
+terrain does not. The position on the map is known to a few metres, but the ground there is not: a DEM smooths the
+floor of a valley upwards and a ridge downwards by a share of its cell, and a recorded altitude has errors of its own.
+So the horizon is computed from several elevations, and the match takes the one that fits the skyline best.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from ..base.model import HorizonProfile, SkylineEvidence
 from ..base.uncertainty import TYPICAL_POSITION_ERROR_M
@@ -48,7 +56,7 @@ class MatchInputs:
     inner : InnerTerrain or None
         Crests and ground below the horizon, for second evidence.
     other_eyes : tuple of Eye
-        Further hypotheses of the eye's elevation; see `eyes.py`.
+        Further hypotheses of the eye's elevation; see `eye_offsets_m`.
     """
 
     evidence: SkylineEvidence
@@ -75,3 +83,67 @@ class MatchInputs:
     def behind(self):
         """Inputs with the evidence's rival, the fainter line behind the most prominent one, as their evidence."""
         return replace(self, evidence=self.evidence.rival)
+
+
+@dataclass(frozen=True)
+class EyeOptions:
+    """Which elevations of the eye are tried.
+
+    Attributes
+    ----------
+    offsets_cells : tuple of float
+        Heights above the assumed eye, in cells of the DEM.
+    sigma_cells : float
+        Standard deviation of the ground's error, in cells; makes a large offset less probable.
+    largest_altitude_error_m : float
+        A recorded altitude farther than this from the assumed eye is not believed [m].
+    least_change : float
+        A hypothesis counts only if it moves some of the horizon by more than this share of the tolerance that the
+        DEM's own error asks for.
+    """
+
+    offsets_cells: tuple = (-0.25, 0.15, 0.35)
+    sigma_cells: float = 0.3
+    largest_altitude_error_m: float = 150.0
+    least_change: float = 0.5
+
+
+def eye_offsets_m(cell_m, recorded_above_m=None, options=EyeOptions()):  # noqa: B008 - frozen
+    """Further elevations of the eye that are worth a horizon.
+
+    Parameters
+    ----------
+    cell_m : float
+        Ground size of the DEM's cells [m].
+    recorded_above_m : float or None
+        Recorded altitude above the assumed eye [m].
+    options : EyeOptions
+
+    Returns
+    -------
+    list of (float, float)
+        Height above the assumed eye [m] and logarithm of the prior probability relative to the assumed one.
+    """
+    found = [(share * cell_m, -0.5 * (share / options.sigma_cells) ** 2) for share in options.offsets_cells]
+    if recorded_above_m is not None and abs(recorded_above_m) <= options.largest_altitude_error_m:
+        found.append((recorded_above_m, 0.0))
+    return found
+
+
+def differs(horizon: HorizonProfile, other: HorizonProfile, terrain_error_cells, options=EyeOptions()):  # noqa: B008
+    """Tell whether two horizons differ by more than the DEM's own error hides.
+
+    Parameters
+    ----------
+    horizon, other : HorizonProfile
+        On the same azimuths.
+    terrain_error_cells : float
+        Error of the horizon's height in cells.
+    options : EyeOptions
+    """
+    if other.elevation_deg.shape != horizon.elevation_deg.shape:
+        return True
+    error_deg = np.degrees(terrain_error_cells * horizon.cell_m / np.maximum(horizon.distance_m, horizon.cell_m))
+    with np.errstate(invalid="ignore"):
+        moved = np.abs(other.elevation_deg - horizon.elevation_deg) > options.least_change * error_deg
+    return bool(moved.any())

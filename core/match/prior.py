@@ -47,6 +47,11 @@ class HeadingPrior:
     outlier_share: float = 0.1
     faults: tuple = ()
 
+    @property
+    def core_share(self):
+        """Probability that the heading is right within its spread."""
+        return 1 - self.outlier_share - sum(share for _, share in self.faults)
+
 
 def log_ratio(prior, heading_deg):
     """Log of the prior's density over the uniform one, at headings [degrees].
@@ -58,9 +63,8 @@ def log_ratio(prior, heading_deg):
     heading_deg = np.asarray(heading_deg, float)
     if prior is None:
         return np.zeros(heading_deg.shape)
-    core_share = 1 - prior.outlier_share - sum(share for _, share in prior.faults)
     density = np.full(heading_deg.shape, float(prior.outlier_share))
-    for turn, share in ((0.0, core_share), *prior.faults):
+    for turn, share in ((0.0, prior.core_share), *prior.faults):
         density = density + share * _gaussian_ratio(difference(heading_deg, prior.heading_deg + turn), prior.sigma_deg)
     return np.log(np.maximum(density, 1e-12))
 

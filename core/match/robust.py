@@ -5,17 +5,18 @@ docs/accuracy.md describes the stages and the measurements.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 
-from ..base.angles import wrap_360
-from ..base.curves import correlation, distinct_headings, sharpness
+from ..base.curves import correlation, sharpness
 from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
-from .finding import Answers, Fits, examine, judge, relief_px
+from .answers import Answers, judge
+from .finding import examine, relief_px
+from .fitting import Scorer, fit
 from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .ground import GroundMatchOptions
 from .inner import InnerEvidence
@@ -23,10 +24,15 @@ from .landmarks import landmark_notes, scale_landmarks, starting_pose
 from .likelihood import EDGE_ROW, EvidenceStack, LikelihoodOptions
 from .posterior import PosteriorOptions, interval, table, verdict
 from .prior import log_ratio
-from .refine import Objective, RefineOptions, refine
+from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
-from .turn import TurnOptions, turn
+from .turn import TurnOptions
+
+HINT_MESSAGE = Message(
+    "The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a "
+    "landmark, a drawn skyline or a sky mask."
+)
 
 LEAST_COLUMNS_SHARE = 0.05
 """Smallest share of columns with evidence for which a search is made."""
@@ -111,7 +117,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         candidates,
         heading_lo_deg=lo,
         heading_hi_deg=hi,
-        p_correct=float(probability[0]),
+        p_correct=found.right,
         curve_heading_deg=answers.coarse.heading_deg,
         curve_score=answers.coarse.score.astype(float),
         ncc=ncc,
@@ -132,6 +138,7 @@ class Judged:
 
     answers: Answers
     probability: np.ndarray
+    right: float
     status: str
     message: Message
 
@@ -146,15 +153,19 @@ def _look(inputs, options, progress):
     behind = _judged(inputs.behind, options, subtask(progress, 0.6, 1.0))
     eye = inputs.eyes[behind.answers.eye[0]]
     share = crest_share(behind.answers.objective, behind.answers.trials[0], inputs.evidence, eye.inner.ridges)
-    if share < BEHIND_SHARE or behind.probability[0] <= found.probability[0]:
+    if share < BEHIND_SHARE or behind.right <= found.right:
         return found, False
     return behind, True
 
 
 def _judged(inputs, options, progress):
-    answers, probability = judge(find_answers(inputs, options, progress), inputs.heading_prior)
-    says = verdict(answers.finding, probability, options.posterior, bool(inputs.landmarks))
-    return Judged(answers, probability, *says)
+    answers, probability, right = judge(find_answers(inputs, options, progress), inputs.heading_prior)
+    if answers.hint == 0:
+        return Judged(answers, probability, right, "ambiguous", HINT_MESSAGE)
+    says = verdict(
+        answers.finding, np.concatenate([[right], probability[1:]]), options.posterior, bool(inputs.landmarks)
+    )
+    return Judged(answers, probability, right, *says)
 
 
 def _edge_notes(answers):
@@ -219,7 +230,7 @@ def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         for objective, eye in zip(objectives, eyes)
     ]
     starts = [np.concatenate([starts, found.candidates]) for found in coarse]
-    fits = _fit(scorers, starts, belief, options, subtask(progress, 0.4, 1.0))
+    fits = fit(scorers, starts, belief, options, subtask(progress, 0.4, 1.0))
     finding = examine(objectives, fits, options.heading_floor_deg)
     around = coarse[fits.eye[0]]
     return Answers(objectives, around, fits.trials, fits.eye, fits.scale, finding, options.heading_floor_deg)
@@ -235,95 +246,6 @@ def _skyline_relief_deg(stack, camera):
 def _belief(heading_prior, heading_deg):
     """Score that the prior adds when candidates are chosen: its log ratio in units of the score."""
     return log_ratio(heading_prior, heading_deg) / table()["temperature"]
-
-
-@dataclass(frozen=True, eq=False)
-class Scorer:
-    """What trials are worth under one hypothesis of the eye: skyline, second evidence, and the hypothesis itself."""
-
-    objective: Objective
-    second: InnerEvidence
-    prior: float
-
-
-def _fit(scorers, starts, belief, options, progress):
-    """Short fits of all candidates of each eye, full fits of the best distinct ones of all.
-
-    The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
-    """
-    short = []
-    for index, (scorer, candidates) in enumerate(zip(scorers, starts)):
-        part = subtask(progress, 0.5 * index / len(scorers), 0.5 * (index + 1) / len(scorers))
-        trials = np.column_stack([candidates, np.zeros((len(candidates), 2))])
-        trials, score, scale = _best_over_scales(scorer.objective, trials, options.short_scales, 4, part)
-        score = score + scorer.prior + belief(trials[:, 0])
-        short.append(Fits(trials, np.full(len(trials), index), score, scale))
-    kept = _distinct(_joined(short), options)
-    kept = kept.take(np.arange(min(options.full_fits, len(kept.score))))
-    # Each from where the short fit left it: at a wide tolerance an answer may drift from a place that is already right.
-    scales, full = sorted(options.refine.error_scales, reverse=True), []
-    for index, scorer in enumerate(scorers):
-        own = kept.take(np.flatnonzero(kept.eye == index))
-        if not len(own.score):
-            continue
-        part = subtask(progress, 0.5 + 0.5 * index / len(scorers), 0.5 + 0.5 * (index + 1) / len(scorers))
-        trials, score, scale = _best_over_scales(scorer.objective, own.trials, scales, 1, part, chained=False)
-        full.append(Fits(trials, own.eye, score + scorer.prior, scale))
-    fits = _distinct(_joined(full), options)
-    fits = _with_second_evidence(fits, scorers, options)
-    first = int(fits.score.argmax())
-    scorer = scorers[fits.eye[first]]
-    if scorer.second and options.turn.reach_deg > 0:
-        fits.trials[first] = turn(scorer.objective, scorer.second, fits.trials[first], fits.scale[first], options.turn)[
-            0
-        ]
-        fits = _distinct(fits, options)
-    fits.trials[:, 0] = wrap_360(fits.trials[:, 0])
-    return fits
-
-
-def _with_second_evidence(fits, scorers, options):
-    """The same fits, best first, after the inside of the picture has had its say.
-
-    With the probability `second_misled` the inside of the picture is misleading (snow, cloud shadow, forest) and says
-    nothing; so it can weigh one answer against another by no more than that share, and not overrule a clear skyline.
-    """
-    inside = np.zeros(len(fits.score))
-    for index, scorer in enumerate(scorers):
-        own = fits.eye == index
-        if scorer.second and own.any():
-            inside[own] = scorer.second.score(fits.trials[own])
-    worth, misled = table()["temperature"], options.second_misled
-    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) / worth
-    fits = replace(fits, score=fits.score + likelihood)
-    return fits.take(np.argsort(-fits.score, kind="stable"))
-
-
-def _joined(fits):
-    """Fits of several eyes as one."""
-    return Fits(
-        *(np.concatenate([getattr(part, name) for part in fits]) for name in ("trials", "eye", "score", "scale"))
-    )
-
-
-def _distinct(fits, options):
-    """The best fit of each distinct heading, best first."""
-    return fits.take(distinct_headings(fits.trials[:, 0], fits.score, options.same_answer_deg))
-
-
-def _best_over_scales(objective, trials, scales, stride, progress, chained=True):
-    """Fit all trials at each tolerance in turn; each trial keeps its best parameters, score and scale.
-
-    If `chained`, each tolerance starts from the result of the one before; otherwise it starts from the given trials.
-    """
-    best, best_score, best_scale = trials.copy(), np.full(len(trials), -np.inf), np.ones(len(trials))
-    for index, scale in enumerate(scales):
-        part = subtask(progress, index / len(scales), (index + 1) / len(scales))
-        fitted, score = refine(objective, trials, scale, stride, progress=part)
-        better = score > best_score
-        best[better], best_score[better], best_scale[better] = fitted[better], score[better], scale
-        trials = fitted if chained else trials
-    return best, best_score, best_scale
 
 
 def _skyline_residual(objective, trial, evidence, full):

@@ -92,11 +92,15 @@ class CoarseResult:
         Best score over pitch and roll for every heading of the grid.
     candidates : (K, 3) array
         Heading, pitch, roll of distinct peaks, best first [degrees].
+    pitch_deg, roll_deg : (N,) arrays
+        Pitch and roll of the best score at every heading [degrees].
     """
 
     heading_deg: np.ndarray
     score: np.ndarray
     candidates: np.ndarray
+    pitch_deg: np.ndarray
+    roll_deg: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +184,7 @@ class _Best:
         wanted = self.score if belief is None else self.score + belief(self.heading_deg)
         peaks = distinct_peaks(self.heading_deg, wanted, options.keep, options.separation_deg)
         candidates = np.column_stack([self.heading_deg[peaks], self.pitch_deg[peaks], self.roll_deg[peaks]])
-        return CoarseResult(self.heading_deg, self.score, candidates)
+        return CoarseResult(self.heading_deg, self.score, candidates, self.pitch_deg, self.roll_deg)
 
 
 def distinct_peaks(heading_deg, score, keep, separation_deg):

@@ -194,8 +194,32 @@ def _rival(score, probability, line, options):
 
 def _believe(appearance, ratio, network, options):
     """Score of each row from its column alone, and probability from all columns, both (H, W)."""
-    weights = options.weights or shipped_weights(options.use_network)
-    score = log_probability({**boundary_features(appearance, ratio), **network}, weights)
+    import os
+
+    mode = os.environ.get("MODE", "fused")
+    classical = boundary_features(appearance, ratio)
+    if mode == "fused":
+        weights = options.weights or shipped_weights(options.use_network)
+        score = log_probability({**classical, **network}, weights)
+    elif mode == "pool":
+        one = log_probability(classical, shipped_weights(False))
+        two = log_probability({**classical, **network}, shipped_weights(True))
+        share = float(os.environ.get("SHARE", "0.5"))
+        score = np.log((1 - share) * np.exp(one) + share * np.exp(two) + 1e-30)
+    elif mode == "mix":
+        one = (
+            log_probability(classical, shipped_weights(False))
+            + float(os.environ.get("W", "1")) * network[os.environ.get("NET", "network_row_64")]
+        )
+        score = one - one.max(0)
+        score = score - np.log(np.exp(score).sum(0))
+    elif mode == "fusedmix":
+        one = (
+            log_probability({**classical, **network}, shipped_weights(True))
+            + float(os.environ.get("W", "1")) * network[os.environ.get("NET", "network_row_64")]
+        )
+        score = one - one.max(0)
+        score = score - np.log(np.exp(score).sum(0))
     return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
 
