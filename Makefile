@@ -10,6 +10,7 @@ METHOD  ?= robust
 COMPASS ?= ignore
 PHOTOS  ?=
 DEM     ?=
+TORCH_PYTHON ?= build/torch/bin/python
 PYTEST_ARGS ?=
 export QT_QPA_PLATFORM ?= offscreen
 export OMP_NUM_THREADS ?= 1
@@ -73,6 +74,17 @@ bench-accuracy: setup ## Headings against the truth: DATA=folder [METHOD=robust|
 .PHONY: bench-skyline
 bench-skyline: setup ## Skylines against masks: DATA=folder
 	@$(PYTHON) benchmarks/bench_skyline.py "$(DATA)"
+
+.PHONY: bench-sky
+bench-sky: setup ## The sky network against masks that did not train it: DATA=folder [OVERLAYS=folder]
+	@$(PYTHON) benchmarks/bench_sky.py "$(DATA)" $(if $(OVERLAYS),--overlays "$(OVERLAYS)")
+
+.PHONY: train-sky
+train-sky: link ## Train the sky network anew: DATA=folder [TORCH_PYTHON=python with PyTorch] [MINUTES=45]; docs/sky-model.md
+	@$(TORCH_PYTHON) -c "import torch, cv2" 2> /dev/null || { echo "Training needs PyTorch and OpenCV. Make an environment for it: \
+	python3 -m venv build/torch && build/torch/bin/pip install torch numpy scipy opencv-python-headless"; exit 1; }
+	@$(TORCH_PYTHON) tools/sky/train.py "$(DATA)/sky" --out build/sky --minutes $(or $(MINUTES),45)
+	@$(TORCH_PYTHON) tools/sky/export.py build/sky/final.pt --golden
 
 .PHONY: bench-simulated
 bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes: [COUNT=240] [SEED=1] [JOBS=1]
