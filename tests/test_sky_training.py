@@ -134,3 +134,10 @@ def test_the_benchmark_finds_a_drawn_edge(tmp_path):
     np.testing.assert_array_equal(bench.true_edge(label), [40, 40, 40, 40, np.nan])
     odds = np.where(np.arange(25)[:, None] < 10, 5.0, -5.0) * np.ones((1, 6))
     np.testing.assert_array_equal(bench.network_edge(odds.astype(np.float32), 100, 5), 40)
+
+
+def test_probability_is_certain_at_the_extremes():
+    odds = np.array([[1000.0, -1000.0], [0.0, 0.0]], np.float32)
+    np.testing.assert_allclose(
+        script("benchmarks/bench_sky.py").ground_probability(odds, 2, 2), [[0, 1], [0.5, 0.5]], atol=1e-6
+    )

@@ -163,10 +163,9 @@ def first_colours(appearance, network, passes=1):
     The colours are learned from what the network takes for sky and ground (`network_features`), without it from the
     picture's edges, which mistake cloud for ground.
     """
-    if network:
-        nothing = np.zeros(appearance.texture.shape, np.float32)
-        return relearn_sky(appearance, np.exp(network[NETWORK_ROWS]), nothing)
-    return learn_sky(appearance, passes)
+    if not network:
+        return learn_sky(appearance, passes)
+    return relearn_sky(appearance, np.exp(network[NETWORK_ROWS]), np.zeros_like(network[NETWORK_ROWS]))
 
 
 def _laid_out(probability, line, crop, shape):

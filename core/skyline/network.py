@@ -63,11 +63,6 @@ def sky_log_odds(pixels, long_side_px=LONG_SIDE_PX):
     return _run(network_input(resized(pixels, *shape)), load_layers())
 
 
-def ground_probability(log_odds, height_px, width_px):
-    """Probability that each pixel of a picture of a given size is ground, float32 (H, W), from `sky_log_odds`."""
-    return 1 / (1 + np.exp(np.clip(resized(log_odds, height_px, width_px), -30, 30)))
-
-
 def resized(image, height_px, width_px):
     """Resample a picture or a map: sides that become smaller by areas, those that become larger linearly."""
     height, width = image.shape[:2]
@@ -99,7 +94,7 @@ def load_layers(path=NETWORK_PATH):
         The file is missing, damaged or of another network.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with open(path, "rb") as opened, np.load(opened, allow_pickle=False) as file:
             values = {name: file[name].astype(np.float32) for name in file.files}
         layers = {name: (values[f"{name}.kernel"], values[f"{name}.bias"]) for name in _layer_names()}
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
