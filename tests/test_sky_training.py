@@ -112,16 +112,6 @@ def test_flags_change_the_picture_and_figures_the_label(pictures):
     assert (changed[figures == SKY] == image[figures == SKY]).mean() > 0.9
 
 
-def test_the_skyline_of_a_label_lies_between_sky_and_ground():
-    fusion = script("tools/sky/fusion.py")
-    label = np.full((100, 4), GROUND, np.uint8)
-    label[:30] = SKY
-    label[30:34, 1] = IGNORE
-    label[10:40, 2] = IGNORE  # nobody knows where
-    label[:, 3] = GROUND
-    np.testing.assert_array_equal(fusion.skyline_of(label), [30, 32, np.nan, np.nan])
-
-
 def test_the_benchmark_finds_a_drawn_edge(tmp_path):
     """A mask of mountain only, as in `skyline-masks`: ground below it, columns without mountain ignored."""
     bench = script("benchmarks/bench_sky.py")

@@ -22,15 +22,12 @@ from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import measure
 from .colour import learn_sky, relearn_sky
-from .features import boundary_features, means_above_below, network_features
-from .network import resized, sky_log_odds
+from .features import boundary_features, means_above_below
+from .network import resized, row_probability, sky_log_odds
 from .seam import best_line, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("weights.json")
-NETWORK_WEIGHTS_PATH = Path(__file__).with_name("weights_network.json")
 SMALLEST_PX = 24
-NETWORK_ROWS = "network_row_16"
-"""The feature that is the log of the network's own p(row | column)."""
 
 BELIEVABLE = 0.1
 """Columns of the best line that are less likely than this to be right are masked."""
@@ -84,7 +81,7 @@ class SkylineOptions:
     weights : dict of str to float, optional
         Weight per feature name; replaces the shipped table.
     use_network : bool
-        Ask the sky network too; without it the classical features alone speak, with weights of their own.
+        Learn the first colours of sky and ground from what the sky network takes for them.
     """
 
     work_px: int = 512
@@ -135,12 +132,11 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     if float(inner.max() - inner.min()) < 3:
         raise SkylineNotFoundError(Message("The picture has a single colour."))
     appearance = measure(inner)
-    network = network_features(resized(sky_log_odds(inner), *inner.shape[:2])) if options.use_network else {}
-    ratio = first_colours(appearance, network, options.colour_passes)
-    score, probability = _believe(appearance, ratio, network, options)
+    ratio = _first_colours(inner, appearance, options)
+    score, probability = _believe(appearance, ratio, options)
     for _ in range(options.refits):
         ratio = relearn_sky(appearance, probability, ratio)
-        score, probability = _believe(appearance, ratio, network, options)
+        score, probability = _believe(appearance, ratio, options)
     line = best_line(score, options.seam_cost_per_px)
     evidence = SkylineEvidence(
         **_laid_out(probability, line, crop, reduced.shape),
@@ -157,15 +153,16 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
 
 
-def first_colours(appearance, network, passes=1):
-    """Log-likelihood ratio of sky against ground, (H, W), before anything is believed.
+def _first_colours(rgb, appearance, options):
+    """Log-likelihood ratio of sky against ground before the extraction has any result of its own, (H, W).
 
-    The colours are learned from what the network takes for sky and ground (`network_features`), without it from the
-    picture's edges, which mistake cloud for ground.
+    The colours are learned from what the network takes for sky and for ground. Without it they are learned along the
+    edges of the picture, which mistake cloud for ground.
     """
-    if not network:
-        return learn_sky(appearance, passes)
-    return relearn_sky(appearance, np.exp(network[NETWORK_ROWS]), np.zeros_like(network[NETWORK_ROWS]))
+    if not options.use_network:
+        return learn_sky(appearance, options.colour_passes)
+    probability = row_probability(resized(sky_log_odds(rgb), *rgb.shape[:2]))
+    return relearn_sky(appearance, probability, np.zeros_like(probability))
 
 
 def _laid_out(probability, line, crop, shape):
@@ -191,10 +188,9 @@ def _rival(score, probability, line, options):
     return np.where(held, marginal, probability), np.where(held, rival, line)
 
 
-def _believe(appearance, ratio, network, options):
-    """Score of each row by its column alone, and probability by all columns, both (H, W)."""
-    weights = options.weights or shipped_weights(options.use_network)
-    score = log_probability({**boundary_features(appearance, ratio), **network}, weights)
+def _believe(appearance, ratio, options):
+    """Score of each row from its column alone, and probability from all columns, both (H, W)."""
+    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
 
@@ -205,11 +201,10 @@ def log_probability(features, weights):
     return score - np.log(np.exp(score).sum(0))
 
 
-@lru_cache(maxsize=2)
-def shipped_weights(with_network=True):
-    """The table that `tools/fit_skyline.py` wrote, with the sky network or without: weight per feature name."""
-    path = NETWORK_WEIGHTS_PATH if with_network else WEIGHTS_PATH
-    return json.loads(path.read_text(encoding="utf-8"))["weights"]
+@lru_cache(maxsize=1)
+def shipped_weights():
+    """Read the table written by `tools/fit_skyline.py`: weight per feature name."""
+    return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
 
 
 def _too_small(width, height):

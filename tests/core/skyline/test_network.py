@@ -14,6 +14,7 @@ from skyline_viewshed.core.skyline.network import (
     load_layers,
     network_input,
     resized,
+    row_probability,
     sky_log_odds,
 )
 
@@ -107,6 +108,17 @@ def test_resizing_keeps_a_ramp():
 
 def test_resizing_one_pixel_gives_a_flat_map():
     np.testing.assert_array_equal(resized(np.full((1, 1), 3, np.float32), 4, 5), np.full((4, 5), 3))
+
+
+def test_rows_are_probabilities_around_the_edge_of_the_log_odds():
+    """Sharp where the network is sure; where it says nothing every row is as likely."""
+    odds = np.where(np.arange(50)[:, None] < 20, 9.0, -9.0) * np.ones((1, 3))
+    odds[:, 2] = 0
+    found = row_probability(odds)
+    np.testing.assert_allclose(found.sum(0), 1, atol=1e-5)
+    assert (found[:, :2].argmax(0) == 20).all()
+    assert found.min() >= 0.05 / 50 - 1e-6
+    np.testing.assert_allclose(found[:, 2], 1 / 50, atol=1e-6)
 
 
 def test_the_file_is_small():
