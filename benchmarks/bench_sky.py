@@ -116,12 +116,17 @@ def line_of(name, figures):
     )
 
 
+def ground_probability(log_odds, height_px, width_px):
+    """Probability that each pixel of a picture of a given size is ground, float32 (H, W), from `sky_log_odds`."""
+    return 1 / (1 + np.exp(np.clip(resized(log_odds, height_px, width_px), -30, 30)))
+
+
 def overlay(path, out):
     """Draw what the network believes over a picture: red is ground, the line its edge."""
     pixels = shrink_to(np.asarray(Image.open(path).convert("RGB")), 640)
     odds = sky_log_odds(pixels)
     height, width = pixels.shape[:2]
-    ground = (1 / (1 + np.exp(resized(odds, height, width))))[..., None]
+    ground = ground_probability(odds, height, width)[..., None]
     tinted = pixels * (1 - 0.45 * ground) + np.array([255, 0, 0]) * 0.45 * ground
     picture = Image.fromarray(np.clip(tinted, 0, 255).astype(np.uint8))
     line = list(enumerate(network_edge(odds, height, width).tolist()))

@@ -21,8 +21,7 @@ from skyline_viewshed.core.paper.skyline import extract_skyline_paper
 from skyline_viewshed.core.skyline.evidence import SkylineOptions, skyline_evidence
 
 ROOT = Path(__file__).resolve().parent.parent
-METHODS = ("robust", "without", "paper")
-"""The extraction, the same without the sky network, and the paper's."""
+METHODS = ("robust", "paper")
 
 
 def mask_rows(path):
@@ -40,8 +39,7 @@ def skyline_rows(pixels, method, weights, width, height):
         if method == "paper":
             found = extract_skyline_paper(pixels)
         else:
-            options = SkylineOptions(weights=weights[method], use_network=method == "robust")
-            found = skyline_evidence(pixels, options).best
+            found = skyline_evidence(pixels, SkylineOptions(weights=weights)).best
     except SkylineNotFoundError:
         return np.full(width, np.nan), time.process_time() - start
     spent = time.process_time() - start
@@ -51,19 +49,17 @@ def skyline_rows(pixels, method, weights, width, height):
 
 
 def held_out_weights():
-    """Map a method and a picture's name to the weights that never saw it."""
-    held_out = {}
-    for method, name in (("robust", "skyline_folds_network.json"), ("without", "skyline_folds.json")):
-        folds = json.loads((ROOT / "benchmarks" / name).read_text(encoding="utf-8"))["folds"]
-        held_out[method] = {name: fold["weights"] for fold in folds for name in fold["held_out"]}
-    return held_out
+    """Map the name of each picture to the weights of the fit that excluded it."""
+    path = ROOT / "benchmarks" / "skyline_folds.json"
+    folds = json.loads(path.read_text(encoding="utf-8"))["folds"] if path.exists() else []
+    return {name: fold["weights"] for fold in folds for name in fold["held_out"]}
 
 
 def measure(image, mask, weights):
     """Measure the errors of both methods on one picture."""
     truth, height = mask_rows(mask)
     pixels = np.asarray(Image.open(image).convert("RGB"))
-    result = {"image": image.name, "height_px": height, "cross_validated": weights["robust"] is not None}
+    result = {"image": image.name, "height_px": height, "cross_validated": weights is not None}
     for method in METHODS:
         found, spent = skyline_rows(pixels, method, weights, len(truth), height)
         known = np.isfinite(truth)
@@ -113,15 +109,16 @@ def main():
     images = [path for path in sorted((options.data / "images").iterdir()) if path.stem in masks]
     if not images:
         raise SystemExit(f"{options.data} has no images with masks of the same name")
-    print(f"{'image':24}" + "".join(f"{method + ' px':>13}{'%':>7}" for method in METHODS))
+    print(f"{'image':24}{'robust px':>10}{'%':>7}{'paper px':>10}{'%':>7}")
     results = []
     for image in images:
-        fitted = {method: held_out.get(image.name) for method, held_out in weights.items()}
-        result = measure(image, masks[image.stem], fitted)
+        result = measure(image, masks[image.stem], weights.get(image.name))
         results.append(result)
-        columns = (f"{result[m]['median_px']:13.1f}{result[m]['median_percent']:7.2f}" for m in METHODS)
+        robust, paper = result["robust"], result["paper"]
         print(
-            f"{image.name[:23]:24}" + "".join(columns) + ("" if result["cross_validated"] else "   shipped weights"),
+            f"{image.name[:23]:24}{robust['median_px']:10.1f}{robust['median_percent']:7.2f}"
+            f"{paper['median_px']:10.1f}{paper['median_percent']:7.2f}"
+            + ("" if result["cross_validated"] else "   shipped weights"),
             flush=True,
         )
     summaries = {method: summary(results, method) for method in METHODS}

@@ -112,16 +112,6 @@ def test_flags_change_the_picture_and_figures_the_label(pictures):
     assert (changed[figures == SKY] == image[figures == SKY]).mean() > 0.9
 
 
-def test_the_skyline_of_a_label_lies_between_sky_and_ground():
-    fusion = script("tools/sky/fusion.py")
-    label = np.full((100, 4), GROUND, np.uint8)
-    label[:30] = SKY
-    label[30:34, 1] = IGNORE
-    label[10:40, 2] = IGNORE  # nobody knows where
-    label[:, 3] = GROUND
-    np.testing.assert_array_equal(fusion.skyline_of(label), [30, 32, np.nan, np.nan])
-
-
 def test_the_benchmark_finds_a_drawn_edge(tmp_path):
     """A mask of mountain only, as in `skyline-masks`: ground below it, columns without mountain ignored."""
     bench = script("benchmarks/bench_sky.py")
@@ -134,3 +124,10 @@ def test_the_benchmark_finds_a_drawn_edge(tmp_path):
     np.testing.assert_array_equal(bench.true_edge(label), [40, 40, 40, 40, np.nan])
     odds = np.where(np.arange(25)[:, None] < 10, 5.0, -5.0) * np.ones((1, 6))
     np.testing.assert_array_equal(bench.network_edge(odds.astype(np.float32), 100, 5), 40)
+
+
+def test_probability_is_certain_at_the_extremes():
+    odds = np.array([[1000.0, -1000.0], [0.0, 0.0]], np.float32)
+    np.testing.assert_allclose(
+        script("benchmarks/bench_sky.py").ground_probability(odds, 2, 2), [[0, 1], [0.5, 0.5]], atol=1e-6
+    )

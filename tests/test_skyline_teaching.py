@@ -62,18 +62,14 @@ def test_the_benchmark_measures_both_methods(mask_folder, tmp_path):
     assert "paper" in run.stdout
 
 
-@pytest.mark.parametrize(
-    ("method", "file", "with_network"),
-    [("robust", "skyline_folds_network.json", True), ("without", "skyline_folds.json", False)],
-)
-def test_pictures_that_taught_are_scored_by_weights_that_never_saw_them(method, file, with_network):
+def test_pictures_that_taught_are_scored_by_weights_that_never_saw_them():
     """Five folds, no picture twice, every table complete."""
     from skyline_viewshed.core.skyline.evidence import shipped_weights
 
-    held_out = script("benchmarks/bench_skyline.py").held_out_weights()[method]
-    folds = json.loads((ROOT / "benchmarks" / file).read_text())["folds"]
+    held_out = script("benchmarks/bench_skyline.py").held_out_weights()
+    folds = json.loads((ROOT / "benchmarks" / "skyline_folds.json").read_text())["folds"]
     assert len(held_out) == sum(len(fold["held_out"]) for fold in folds) == 30
-    assert all(set(weights) == set(shipped_weights(with_network)) for weights in held_out.values())
+    assert all(set(weights) == set(shipped_weights()) for weights in held_out.values())
     assert len({json.dumps(fold["weights"]) for fold in folds}) == len(folds) == 5
 
 

@@ -1,10 +1,6 @@
 """Fit the skyline weights: a conditional logit on simulated photographs and hand-made masks.
 
-    python tools/fit_skyline.py MASKS [--scenes 88] [--variants 4] [--network SKY]
-
-With --network the sky network's features are fitted too, starting from the classical weights (a fold from its own),
-and the held-out pictures of SKY/mmp join, under other weather (`tools/sky/fusion.py`); this writes
-`core/skyline/weights_network.json`, without it `weights.json`.
+    python tools/fit_skyline.py MASKS [--scenes 88] [--variants 4]
 
 MASKS contains `images` and `masks` (white is mountain). Simulated photographs come from `benchmarks/simulated_cases.py`
 and are kept in `build/skyline_teacher`. Each picture is used as it is and in a few variants (cropped so that the ridge
@@ -15,9 +11,9 @@ per column, the log of
 
     0.95 x (probability within a Gaussian of 1.2 rows around the true row) + 0.05 / rows
 
-with a ridge penalty on standardised weights. Writes the weights fitted to everything, and into
-`benchmarks/skyline_folds.json` (`skyline_folds_network.json`) five more fits, each without a fifth of the masked
-pictures, with which `bench_skyline.py` scores just those.
+with a ridge penalty on standardised weights. The tool writes `core/skyline/weights.json`, fitted to everything, and
+`benchmarks/skyline_folds.json`: five more fits, each without a fifth of the masked pictures, which `bench_skyline.py`
+uses to score that fifth.
 """
 
 from __future__ import annotations
@@ -34,20 +30,15 @@ from PIL import Image
 from scipy.optimize import minimize
 from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.skyline.appearance import measure
-from skyline_viewshed.core.skyline.evidence import first_colours, shipped_weights
-from skyline_viewshed.core.skyline.features import boundary_features, network_features
-from skyline_viewshed.core.skyline.network import resized, sky_log_odds
+from skyline_viewshed.core.skyline.colour import learn_sky
+from skyline_viewshed.core.skyline.features import boundary_features
 
 ROOT = Path(__file__).resolve().parent.parent
 WORK_PX = 512
 FOLDS = 5
 COLUMN_STEP = 16
-NETWORK_COLUMN_STEP = 32
 SIGMA_ROWS, TRUSTED, RIDGE = 1.2, 0.95, 0.02
 SCENE_SEED = 90_210
-WEATHER_TURNS = 2
-NETWORK_RIDGE, CLASSICAL_RIDGE = 0.1, 0.05
-"""Penalty on the network's weights, and on how far the others move from the classical table."""
 SHAPES = ((384, 512), (341, 512), (512, 384), (384, 512), (288, 512))
 
 
@@ -83,14 +74,6 @@ def simulated_pictures(count, folder):
             np.savez_compressed(kept, pixels=view.pixels, row=row)
         with np.load(kept) as data:
             yield kept.stem, data["pixels"], data["row"]
-
-
-def weathered_pictures(folder):
-    """Pictures that the sky network never saw; see `tools/sky/fusion.py`."""
-    sys.path.insert(0, str(ROOT / "tools" / "sky"))
-    from fusion import held_out_pictures
-
-    return held_out_pictures(folder, WEATHER_TURNS)
 
 
 def resample(pixels, row, height, width):
@@ -156,19 +139,17 @@ def _spoil(rgb, generator):
     return bytes_.astype(np.float32)
 
 
-def training_columns(small, rows, offset, with_network=False):
-    """Features (n, H, F) of every 16th or 32nd column whose truth is known, their rows, and the features' names."""
+def training_columns(small, rows, offset):
+    """Features (n, H, F) of every 16th column whose truth is known, their rows, and the names of the features."""
     appearance = measure(small)
-    network = network_features(resized(sky_log_odds(small), *small.shape[:2])) if with_network else {}
-    features = {**boundary_features(appearance, first_colours(appearance, network)), **network}
-    step = NETWORK_COLUMN_STEP if with_network else COLUMN_STEP
-    columns = np.arange(offset % step, small.shape[1], step)
+    features = boundary_features(appearance, learn_sky(appearance))
+    columns = np.arange(offset % COLUMN_STEP, small.shape[1], COLUMN_STEP)
     columns = columns[np.isfinite(rows[columns])]
     stack = np.stack([values[:, columns].T for values in features.values()], -1)
     return np.ascontiguousarray(stack, np.float32), rows[columns], list(features)
 
 
-def gather(pictures, variants, seed, with_network=False):
+def gather(pictures, variants, seed):
     """List of (name, features, rows) over all pictures and their variants."""
     out, names = [], None
     for index, (name, pixels, row) in enumerate(pictures):
@@ -179,7 +160,7 @@ def gather(pictures, variants, seed, with_network=False):
             made = whole(pixels, row) if turn == 0 else variant(pixels, row, generator)
             if made is None or min(made[0].shape[:2]) < 100:
                 continue
-            features, rows, names = training_columns(*made, 5 + 7 * turn, with_network)
+            features, rows, names = training_columns(*made, 5 + 7 * turn)
             if len(rows) >= 3:
                 out.append((name, features, rows))
     return out, names
@@ -198,8 +179,8 @@ def column_loss(score, rows):
     return -np.log(value), gradient
 
 
-def fit(pictures, centre=None, ridge=RIDGE, iterations=80):
-    """Weights (F,) by L-BFGS from and penalised around `centre`, or 0; every picture counts the same."""
+def fit(pictures, start=None, iterations=80):
+    """Fit the weights (F,) by L-BFGS; every picture counts the same."""
     count = pictures[0][1].shape[2]
     variance = np.mean([features.reshape(-1, count).var(0) for _, features, _ in pictures], 0)
     scale = np.sqrt(variance) + 1e-6
@@ -212,24 +193,11 @@ def fit(pictures, centre=None, ridge=RIDGE, iterations=80):
             share = 1 / (len(rows) * len(pictures))
             total += share * value.sum()
             gradient += share * np.tensordot(slope.astype(np.float32), features, ((0, 1), (0, 1))) / scale
-        moved = standard - first
-        return total + 0.5 * (ridge * moved) @ moved, gradient + ridge * moved
+        return total + RIDGE / 2 * standard @ standard, gradient + RIDGE * standard
 
-    first = np.zeros(count) if centre is None else centre * scale
+    first = np.zeros(count) if start is None else start * scale
     result = minimize(loss, first, jac=True, method="L-BFGS-B", options={"maxiter": iterations})
     return result.x / scale, float(result.fun)
-
-
-def classical_fold(held_out):
-    """Classical weights that never saw certain pictures."""
-    folds = json.loads((ROOT / "benchmarks" / "skyline_folds.json").read_text(encoding="utf-8"))["folds"]
-    return next(fold["weights"] for fold in folds if set(fold["held_out"]) == set(held_out))
-
-
-def near(classical, names):
-    """Centre and ridge (F,) of a fit with the network, which may move the classical weights only a little."""
-    centre = np.array([classical.get(name, 0.0) for name in names])
-    return centre, np.where([name in classical for name in names], CLASSICAL_RIDGE, NETWORK_RIDGE)
 
 
 def table(names, weights):
@@ -241,40 +209,30 @@ def main():
     parser.add_argument("masks")
     parser.add_argument("--scenes", type=int, default=88)
     parser.add_argument("--variants", type=int, default=4)
-    parser.add_argument("--network", type=Path, metavar="SKY", help="fit the network's features too")
     parser.add_argument("--out", default=str(ROOT))
     options = parser.parse_args()
     start = time.time()
     teacher = simulated_pictures(options.scenes, ROOT / "build" / "skyline_teacher")
-    with_network = options.network is not None
-    scenes, names = gather(teacher, max(options.variants // 4, 0), 2, with_network)
-    others = len(scenes)
-    if with_network:
-        scenes += gather(weathered_pictures(options.network), 1, 3, True)[0]
-    masks, names = gather(masked_pictures(options.masks), options.variants, 1, with_network)
-    print(f"{len(masks)} masked and {len(scenes)} other pictures in {time.time() - start:.0f} s", flush=True)
-    centre, ridge = near(shipped_weights(with_network=False), names) if with_network else (None, RIDGE)
-    weights, value = fit(masks + scenes, centre, ridge)
+    scenes, names = gather(teacher, max(options.variants // 4, 0), 2)
+    masks, names = gather(masked_pictures(options.masks), options.variants, 1)
+    print(f"{len(masks)} masked and {len(scenes)} simulated pictures in {time.time() - start:.0f} s", flush=True)
+    weights, value = fit(masks + scenes)
     print(f"all: loss {value:.4f} after {time.time() - start:.0f} s", flush=True)
     origin = (
-        f"Conditional logit, tools/fit_skyline.py: {others} simulated pictures (core/simulate/render.py over real "
+        f"Conditional logit, tools/fit_skyline.py: {len(scenes)} simulated pictures (core/simulate/render.py over real "
         f"and procedural DEMs) and {len(masks)} variants of 30 photographs with hand-corrected masks "
         "(staunton-golding/MountainMappingProject, photographs from Unsplash; not part of this package)."
     )
-    if with_network:
-        origin += f" And {len(scenes) - others} variants of held-out pictures of tools/sky/DATA.md."
-    suffix = "_network" if with_network else ""
-    path = Path(options.out) / "core" / "skyline" / f"weights{suffix}.json"
+    path = Path(options.out) / "core" / "skyline" / "weights.json"
     path.write_text(json.dumps({"origin": origin, "loss": round(value, 4), "weights": table(names, weights)}, indent=1))
     order = sorted({name for name, _, _ in masks})
     folds = []
     for fold in range(FOLDS):
         held_out = order[fold::FOLDS]
-        centre, ridge = near(classical_fold(held_out), names) if with_network else (None, RIDGE)
-        part, value = fit([p for p in masks if p[0] not in held_out] + scenes, centre, ridge)
+        part, value = fit([p for p in masks if p[0] not in held_out] + scenes, None, 80)
         folds.append({"held_out": held_out, "weights": table(names, part)})
         print(f"without fold {fold}: loss {value:.4f} after {time.time() - start:.0f} s", flush=True)
-    path = Path(options.out) / "benchmarks" / f"skyline_folds{suffix}.json"
+    path = Path(options.out) / "benchmarks" / "skyline_folds.json"
     path.write_text(json.dumps({"origin": origin, "folds": folds}, indent=1))
 
 

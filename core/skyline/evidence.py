@@ -22,15 +22,12 @@ from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import measure
 from .colour import learn_sky, relearn_sky
-from .features import boundary_features, means_above_below, network_features
-from .network import resized, sky_log_odds
+from .features import boundary_features, means_above_below
+from .network import resized, row_probability, sky_log_odds
 from .seam import best_line, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("weights.json")
-NETWORK_WEIGHTS_PATH = Path(__file__).with_name("weights_network.json")
 SMALLEST_PX = 24
-NETWORK_ROWS = "network_row_16"
-"""The feature that is the log of the network's own p(row | column)."""
 
 BELIEVABLE = 0.1
 """Columns of the best line that are less likely than this to be right are masked."""
@@ -84,7 +81,10 @@ class SkylineOptions:
     weights : dict of str to float, optional
         Weight per feature name; replaces the shipped table.
     use_network : bool
-        Whether the features of the sky network join the classical ones; each set has weights of its own.
+        Learn the first colours of sky and ground from what the sky network takes for them, and let it vote on the row.
+    network_softness : float
+        See `network.row_probability`: the network sees the whole picture and knows clouds, but it is misled by whole
+        regions, so that its vote is soft, and the edges place the boundary.
     """
 
     work_px: int = 512
@@ -96,6 +96,7 @@ class SkylineOptions:
     seam_cost_per_px: float = 0.5
     weights: dict | None = None
     use_network: bool = True
+    network_softness: float = 64.0
 
     def __post_init__(self):
         if self.work_px < 64 or self.colour_passes < 1:
@@ -135,12 +136,12 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     if float(inner.max() - inner.min()) < 3:
         raise SkylineNotFoundError(Message("The picture has a single colour."))
     appearance = measure(inner)
-    network = network_features(resized(sky_log_odds(inner), *inner.shape[:2])) if options.use_network else {}
-    ratio = first_colours(appearance, network, options.colour_passes)
-    score, probability = _believe(appearance, ratio, network, options)
+    log_odds = resized(sky_log_odds(inner), *inner.shape[:2]) if options.use_network else None
+    ratio = _first_colours(log_odds, appearance, options)
+    score, probability = _believe(appearance, ratio, log_odds, options)
     for _ in range(options.refits):
         ratio = relearn_sky(appearance, probability, ratio)
-        score, probability = _believe(appearance, ratio, network, options)
+        score, probability = _believe(appearance, ratio, log_odds, options)
     line = best_line(score, options.seam_cost_per_px)
     evidence = SkylineEvidence(
         **_laid_out(probability, line, crop, reduced.shape),
@@ -157,16 +158,16 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
 
 
-def first_colours(appearance, network, passes=1):
-    """First log-likelihood ratio of sky against ground, (H, W).
+def _first_colours(log_odds, appearance, options):
+    """Log-likelihood ratio of sky against ground before the extraction has any result of its own, (H, W).
 
-    With the network the colours are learned from what it takes for sky and for ground (`network_features`); without it
-    from the edges in the picture, which mistake cloud for ground.
+    The colours are learned from what the network takes for sky and for ground. Without it they are learned along the
+    edges of the picture, which mistake cloud for ground.
     """
-    if network:
-        nothing = np.zeros(appearance.texture.shape, np.float32)
-        return relearn_sky(appearance, np.exp(network[NETWORK_ROWS]), nothing)
-    return learn_sky(appearance, passes)
+    if log_odds is None:
+        return learn_sky(appearance, options.colour_passes)
+    probability = row_probability(log_odds)
+    return relearn_sky(appearance, probability, np.zeros_like(probability))
 
 
 def _laid_out(probability, line, crop, shape):
@@ -192,49 +193,30 @@ def _rival(score, probability, line, options):
     return np.where(held, marginal, probability), np.where(held, rival, line)
 
 
-def _believe(appearance, ratio, network, options):
+def _believe(appearance, ratio, log_odds, options):
     """Score of each row from its column alone, and probability from all columns, both (H, W)."""
-    import os
-
-    mode = os.environ.get("MODE", "fused")
-    classical = boundary_features(appearance, ratio)
-    if mode == "fused":
-        weights = options.weights or shipped_weights(options.use_network)
-        score = log_probability({**classical, **network}, weights)
-    elif mode == "pool":
-        one = log_probability(classical, shipped_weights(False))
-        two = log_probability({**classical, **network}, shipped_weights(True))
-        share = float(os.environ.get("SHARE", "0.5"))
-        score = np.log((1 - share) * np.exp(one) + share * np.exp(two) + 1e-30)
-    elif mode == "mix":
-        one = (
-            log_probability(classical, shipped_weights(False))
-            + float(os.environ.get("W", "1")) * network[os.environ.get("NET", "network_row_64")]
-        )
-        score = one - one.max(0)
-        score = score - np.log(np.exp(score).sum(0))
-    elif mode == "fusedmix":
-        one = (
-            log_probability({**classical, **network}, shipped_weights(True))
-            + float(os.environ.get("W", "1")) * network[os.environ.get("NET", "network_row_64")]
-        )
-        score = one - one.max(0)
-        score = score - np.log(np.exp(score).sum(0))
+    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
+    if log_odds is not None:
+        score = _normalised(score + np.log(row_probability(log_odds, options.network_softness)))
     return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
 
 def log_probability(features, weights):
     """Log of p(row | column) from each column's own features, (H, W): weighted sum and softmax over the rows."""
     score = sum(np.float32(weight) * features[name] for name, weight in weights.items())
+    return _normalised(score)
+
+
+def _normalised(score):
+    """Log-probabilities of the rows of each column, from their scores."""
     score = score - score.max(0)
     return score - np.log(np.exp(score).sum(0))
 
 
-@lru_cache(maxsize=2)
-def shipped_weights(with_network=True):
-    """Read the table written by `tools/fit_skyline.py`, with the sky network or without: weight per feature name."""
-    path = NETWORK_WEIGHTS_PATH if with_network else WEIGHTS_PATH
-    return json.loads(path.read_text(encoding="utf-8"))["weights"]
+@lru_cache(maxsize=1)
+def shipped_weights():
+    """Read the table written by `tools/fit_skyline.py`: weight per feature name."""
+    return json.loads(WEIGHTS_PATH.read_text(encoding="utf-8"))["weights"]
 
 
 def _too_small(width, height):

@@ -17,16 +17,6 @@ RATIO_WINDOWS_PX = (3, 9, 27, 81)
 CONTRAST_WINDOWS_PX = (4, 16)
 LEVEL_WINDOWS_PX = (8, 32)
 
-NETWORK_WINDOWS_PX = (4, 12, 36)
-NETWORK_LIMIT = 4.0
-"""The network's log-odds are clipped here: it is wrong more often than it believes."""
-
-NETWORK_SOFTNESS = (4, 16, 64)
-"""How many log-odds, summed along a column, make a row e times less likely."""
-
-NETWORK_DOUBT = 0.02
-"""Probabilities below this are not summed over a column."""
-
 
 def boundary_features(appearance, ratio):
     """Return all features that the weights table refers to, by name.
@@ -137,39 +127,6 @@ def _column_features(appearance, ratio):
     ):
         features["leaves_frame" + name] = np.zeros((height, width), np.float32)
         features["leaves_frame" + name][0] = value
-    return features
-
-
-def network_features(log_odds):
-    """What the sky network says of a boundary above each row, by name.
-
-    Parameters
-    ----------
-    log_odds : (H, W) array
-        Of sky, at the size of the picture (`core.skyline.network`).
-
-    Returns
-    -------
-    dict of str to (H, W) float32 array
-    """
-    odds = np.clip(log_odds, -NETWORK_LIMIT, NETWORK_LIMIT).astype(np.float32)
-    height = len(odds)
-    features = {}
-    for window in NETWORK_WINDOWS_PX:
-        above, below = means_above_below(odds, window)
-        features[f"network_over_{window}"] = (above - below) / NETWORK_LIMIT
-    split = 2 * sum_above(odds)  # up to a constant per column, the log-likelihood of sky above and ground below
-    behind = split.max(0) - split
-    features["network_behind"] = -np.log1p(behind / 8)
-    for softness in NETWORK_SOFTNESS:
-        chance = np.exp(-behind / (2 * softness))
-        features[f"network_row_{softness}"] = np.log(0.95 * chance / chance.sum(0) + 0.05 / height)
-    sky = 1 / (1 + np.exp(-odds))
-    clear_sky, clear_ground = (np.maximum(share - NETWORK_DOUBT, 0) for share in (sky, 1 - sky))
-    features["network_ground_above"] = np.log1p(sum_above(clear_ground) / 5)
-    features["network_sky_below"] = np.log1p((clear_sky.sum(0) - sum_above(clear_sky)) / 5)
-    features["leaves_frame_network"] = np.zeros_like(odds)
-    features["leaves_frame_network"][0] = odds[: max(2, height // 50)].mean(0) / NETWORK_LIMIT
     return features
 
 

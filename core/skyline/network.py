@@ -23,6 +23,15 @@ LONG_SIDE_PX = 256
 STRIDE = 32
 """Both sides of that picture are multiples of this; so its aspect may be a few per cent off, as in training."""
 
+ODDS_LIMIT = 4.0
+"""Log-odds are clipped here: the network is wrong more often than it believes."""
+
+SOFTNESS = 16.0
+"""Neighbouring pixels share their mistakes, so their summed log-odds are divided by this."""
+
+TRUSTED = 0.95
+"""Share of a column's probability that the network distributes; the rest is spread evenly over the rows."""
+
 STEPS_DOWN = (2, 2, 2, 2, 3)
 """Convolutions of each level on the way down."""
 
@@ -63,9 +72,27 @@ def sky_log_odds(pixels, long_side_px=LONG_SIDE_PX):
     return _run(network_input(resized(pixels, *shape)), load_layers())
 
 
-def ground_probability(log_odds, height_px, width_px):
-    """Probability that each pixel of a picture of a given size is ground, float32 (H, W), from `sky_log_odds`."""
-    return 1 / (1 + np.exp(np.clip(resized(log_odds, height_px, width_px), -30, 30)))
+def row_probability(log_odds, softness=SOFTNESS):
+    """Probability that a column's first ground row is each row, from log-odds of sky alone.
+
+    Parameters
+    ----------
+    log_odds : (H, W) array
+        `sky_log_odds` at the size of the picture.
+    softness : float
+        Divisor of the summed log-odds; the larger, the less certain.
+
+    Returns
+    -------
+    (H, W) float32 array
+        Columns sum to 1. No row is impossible, as the network may be wrong about a whole column.
+    """
+    odds = np.clip(log_odds, -ODDS_LIMIT, ODDS_LIMIT).astype(np.float32)
+    height = len(odds)
+    split = np.zeros_like(odds)
+    np.cumsum(odds[:-1], 0, out=split[1:])
+    chance = np.exp((split - split.max(0)) / softness)
+    return TRUSTED * chance / chance.sum(0) + (1 - TRUSTED) / height
 
 
 def resized(image, height_px, width_px):
@@ -99,7 +126,7 @@ def load_layers(path=NETWORK_PATH):
         The file is missing, damaged or of another network.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with open(path, "rb") as opened, np.load(opened, allow_pickle=False) as file:
             values = {name: file[name].astype(np.float32) for name in file.files}
         layers = {name: (values[f"{name}.kernel"], values[f"{name}.bias"]) for name in _layer_names()}
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:

@@ -14,6 +14,9 @@ SHAPES = ((192, 256), (192, 256), (160, 256), (256, 192), (224, 224))
 SQUEEZED = {"mmp": (0.85, 1.75), "uav": (0.8, 1.4), "pseudo": (0.8, 1.25), "khumbu": (0.8, 1.25)}
 """Range of widening of each set; `mmp` is photographs of about 3:2 squeezed into squares."""
 
+LITTLE_SKY = 0.15
+"""Share of windows whose upper edge lies just above the ridge."""
+
 BOUNDARY_WEIGHT, BOUNDARY_PX = 3.0, 5.0
 """How much more pixels at the boundary count, and how far that reaches."""
 
@@ -72,6 +75,10 @@ def window(generator, picture, shape):
         np.clip(generator.uniform(0, size), min(reach, size / 2), max(size - reach, size / 2))
         for size, reach in zip((wide, tall), half)
     ]
+    if generator.random() < LITTLE_SKY:
+        ridge = np.argmax((picture.label == GROUND).mean(1) > 0.1)
+        lowest = max(tall - half[1], tall / 2)
+        middle[1] = min(ridge + half[1] * (1 - 2 * generator.uniform(0.03, 0.2)), lowest)
     affine = np.column_stack([matrix, np.array([width / 2, height / 2]) - matrix @ middle])
     pixels = picture.pixels
     if scale < 0.8:

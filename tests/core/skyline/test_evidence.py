@@ -232,6 +232,12 @@ def test_pure_noise_is_not_believed(clear):
     assert noise.best.confidence.mean() < 0.6 * clear[2].best.confidence.mean()
 
 
+def test_without_the_sky_network_a_clear_ridge_is_still_found(clear):
+    """The colours are learned along the edges then."""
+    with_network, without = (skyline_evidence(clear[0], SkylineOptions(use_network=use)) for use in (True, False))
+    assert np.mean(np.abs(with_network.best.row_px - without.best.row_px) <= 1) > 0.95
+
+
 def test_without_opencv_the_evidence_is_the_same(monkeypatch):
     """The SciPy twins lead to the same line and nearly the same probabilities."""
     pixels, _ = mountain_scene(900, 600)

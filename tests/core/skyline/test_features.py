@@ -12,7 +12,6 @@ from skyline_viewshed.core.skyline.evidence import shipped_weights
 from skyline_viewshed.core.skyline.features import (
     boundary_features,
     means_above_below,
-    network_features,
     strongest_above,
     strongest_below,
     sum_above,
@@ -29,16 +28,9 @@ def features():
     return boundary_features(appearance, learn_sky(appearance))
 
 
-@pytest.fixture(scope="module")
-def network():
-    """What a network sure of the same boundary gives, its log-odds beyond the limit."""
-    return network_features(np.where(np.arange(110)[:, None] < 45, 9.0, -9.0) * np.ones((1, 90)))
-
-
-def test_the_shipped_tables_and_the_features_have_the_same_names(features, network):
+def test_the_shipped_table_and_the_features_have_the_same_names(features):
     """No weight without a feature, no feature without a weight."""
-    assert set(shipped_weights(with_network=False)) == set(features)
-    assert set(shipped_weights()) == {*features, *network}
+    assert set(shipped_weights()) == set(features)
 
 
 def test_every_feature_is_a_finite_map_of_the_pictures_size(features):
@@ -59,24 +51,6 @@ def test_only_row_zero_can_leave_the_frame(features):
     for name in ("leaves_frame", "leaves_frame_ground", "leaves_frame_rough"):
         assert not features[name][1:].any()
     assert (features["leaves_frame"][0] == 1).all()
-
-
-def test_the_network_speaks_for_its_boundary_alone(network):
-    """Every map has its largest value there, and doubt grows with the distance."""
-    for name in ("network_over_4", "network_over_36", "network_behind", "network_row_4", "network_row_64"):
-        assert (network[name].argmax(0) == 45).all(), name
-    assert (np.diff(network["network_behind"][:, 0])[:45] > 0).all()
-    assert not network["network_ground_above"][:46].any()
-    assert not network["network_sky_below"][45:].any()
-    assert (network["leaves_frame_network"][0] == 1).all()
-    assert not network["leaves_frame_network"][1:].any()
-
-
-def test_the_networks_rows_are_probabilities(network):
-    """Whatever the softness, each column sums to one and no row is impossible."""
-    for name in ("network_row_4", "network_row_16", "network_row_64"):
-        np.testing.assert_allclose(np.exp(network[name]).sum(0), 1, atol=1e-4)
-        assert network[name].min() >= np.log(0.05 / 110) - 1e-6
 
 
 @settings(max_examples=40, deadline=None)

@@ -11,10 +11,10 @@ from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.skyline import network
 from skyline_viewshed.core.skyline.network import (
     NETWORK_PATH,
-    ground_probability,
     load_layers,
     network_input,
     resized,
+    row_probability,
     sky_log_odds,
 )
 
@@ -70,11 +70,11 @@ def test_the_answer_covers_the_picture_at_half_the_size_that_the_network_sees(sh
 )
 def test_sky_lies_above_rock(sky, rock):
     pixels, is_sky = painted(sky=sky, rock=rock)
-    ground = ground_probability(sky_log_odds(pixels), *is_sky.shape)
-    assert ground.shape == is_sky.shape
-    assert ((ground < 0.5) == is_sky).mean() > 0.95
-    assert ground[:20].mean() < 0.1
-    assert ground[-20:].mean() > 0.9
+    odds = resized(sky_log_odds(pixels), *is_sky.shape)
+    assert odds.shape == is_sky.shape
+    assert ((odds > 0) == is_sky).mean() > 0.95
+    assert odds[:20].mean() > 2
+    assert odds[-20:].mean() < -2
 
 
 def test_a_higher_ridge_leaves_less_sky():
@@ -110,9 +110,15 @@ def test_resizing_one_pixel_gives_a_flat_map():
     np.testing.assert_array_equal(resized(np.full((1, 1), 3, np.float32), 4, 5), np.full((4, 5), 3))
 
 
-def test_probability_is_certain_at_the_extremes():
-    odds = np.array([[1000.0, -1000.0], [0.0, 0.0]], np.float32)
-    np.testing.assert_allclose(ground_probability(odds, 2, 2), [[0, 1], [0.5, 0.5]], atol=1e-6)
+def test_rows_are_probabilities_around_the_edge_of_the_log_odds():
+    """Sharp where the network is sure; where it says nothing every row is as likely."""
+    odds = np.where(np.arange(50)[:, None] < 20, 9.0, -9.0) * np.ones((1, 3))
+    odds[:, 2] = 0
+    found = row_probability(odds)
+    np.testing.assert_allclose(found.sum(0), 1, atol=1e-5)
+    assert (found[:, :2].argmax(0) == 20).all()
+    assert found.min() >= 0.05 / 50 - 1e-6
+    np.testing.assert_allclose(found[:, 2], 1 / 50, atol=1e-6)
 
 
 def test_the_file_is_small():
