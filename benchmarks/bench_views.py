@@ -28,8 +28,8 @@ from skyline_viewshed.core.batch import HorizonCache, orient_request
 from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.match.prior import CompassOptions, compass_prior
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, camera_prior, orient_photo
+from skyline_viewshed.core.match.prior import CompassOptions, camera_prior, compass_prior
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bench_accuracy import dem_of, read_truth, request_of  # noqa: E402

@@ -22,8 +22,8 @@ from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .io.photo import read_photo
 from .match.landmarks import Landmark
-from .match.prior import HeadingPrior, compass_prior, true_heading_deg
-from .pipeline import Hints, HorizonCache, OrientOptions, Setting, camera_prior, orient_photo, other_eyes
+from .match.prior import HeadingPrior, camera_prior, compass_prior, true_heading_deg
+from .pipeline import Hints, HorizonCache, OrientOptions, Setting, orient_photo, other_eyes
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024

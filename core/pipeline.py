@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections import OrderedDict
 from dataclasses import dataclass, field, replace
 
-from .base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px
-from .base.errors import MissingMetadataError, ObserverError, SkylineNotFoundError
+from .base.errors import ObserverError, SkylineNotFoundError
 from .base.imaging import thumbnail
-from .base.messages import Message
 from .base.model import HorizonProfile, Orientation, OrientedPhoto, SkylineEvidence
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, ground_elevation_m
@@ -208,35 +206,6 @@ def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
             found.append(Eye(other, cache.inner(terrain, place, options.inner), log_prior))
             shown.append(other)
     return tuple(found)
-
-
-def camera_prior(metadata, hfov_deg=None):
-    """Camera and uncertainty of its focal length before the fit.
-
-    Parameters
-    ----------
-    metadata : PhotoMetadata
-    hfov_deg : float or None
-        Horizontal field of view of the upright picture [degrees]. If None, the 35 mm equivalent is converted by the
-        diagonal rule, with the spread given in the metadata.
-
-    Raises
-    ------
-    MissingMetadataError
-        The field of view is not given, and the photo records no focal length.
-    """
-    width, height = metadata.width_px, metadata.height_px
-    if hfov_deg is not None:
-        focal, sigma = focal_of_fov_px(width, hfov_deg), FOCAL_SIGMA
-    elif metadata.focal_length_35mm is not None:
-        focal, sigma = focal_from_35mm_px(width, height, metadata.focal_length_35mm), metadata.focal_sigma
-    else:
-        raise MissingMetadataError(
-            Message(
-                "The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD."
-            )
-        )
-    return CameraPrior(Camera(width, height, focal), sigma)
 
 
 def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILENT):  # noqa: B008 - frozen

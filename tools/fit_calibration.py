@@ -78,8 +78,9 @@ def _solve(path, dem):
     from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match.inputs import MatchInputs
+    from skyline_viewshed.core.match.prior import camera_prior
     from skyline_viewshed.core.match.robust import find_answers
-    from skyline_viewshed.core.pipeline import OrientOptions, camera_prior
+    from skyline_viewshed.core.pipeline import OrientOptions
     from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
     options = OrientOptions()

@@ -21,6 +21,9 @@ LANDMARK_PROBABILITY = 0.95
 RIGHT_DEG = 3.0
 """An answer is right within this distance of the truth; `p_correct` is the probability of that."""
 
+DENSITY_DEG = 0.5
+"""Reach within which the density of the posterior is compared."""
+
 REGION_DEG = 10.0
 """Answers within this distance support one another when a region of the circle is chosen."""
 
@@ -146,10 +149,11 @@ def judge(answers, heading_prior=None):
     heading = np.append(answers.trials[:, 0], heading_prior.heading_deg)
     sigma = np.append(answers.finding.sigma_deg, heading_prior.sigma_deg)
     probability = np.append(probability, left)
-    # The region of the circle is chosen first, and then the most exact answer in it.
+    # The region of the circle is chosen first, and then the answer in it at which the posterior is densest.
     region = heading[probability_near(heading, sigma, probability, REGION_DEG).argmax()]
+    density = probability_near(heading, sigma, probability, DENSITY_DEG)
+    first = int(np.where(np.abs(difference(heading, region)) <= REGION_DEG, density, -1.0).argmax())
     right = probability_near(heading, sigma, probability, RIGHT_DEG)
-    first = int(np.where(np.abs(difference(heading, region)) <= REGION_DEG, right, -1.0).argmax())
     rest = np.argsort(-probability, kind="stable")
     order = np.concatenate([[first], rest[rest != first]])
     answers = answers.with_hint(heading_prior).reordered(order)

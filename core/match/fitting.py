@@ -18,7 +18,7 @@ from .turn import turn
 
 @dataclass(frozen=True, eq=False)
 class Scorer:
-    """What trials are worth under one hypothesis of the eye: skyline, second evidence, and the hypothesis itself."""
+    """How trials are scored under one hypothesis of the eye: by the skyline, the second evidence and the prior."""
 
     objective: Objective
     second: InnerEvidence
@@ -26,9 +26,25 @@ class Scorer:
 
 
 def fit(scorers, starts, belief, options, progress):
-    """Short fits of all candidates of each eye, full fits of the best distinct ones of all.
+    """Fit all candidates of every eye briefly, and the best distinct ones of them in full.
 
-    The belief in a heading helps to choose what is looked at; the scores are the picture's alone.
+    The heading prior helps to choose the candidates that get a full fit; the scores come from the picture alone.
+
+    Parameters
+    ----------
+    scorers : sequence of Scorer
+        One for each hypothesis of the eye.
+    starts : sequence of (N, 3) arrays
+        Heading, pitch and roll of the candidates of each eye [degrees].
+    belief : callable
+        Headings [degrees] -> what the heading prior adds to a score.
+    options : RobustOptions
+    progress : Progress
+
+    Returns
+    -------
+    Fits
+        Of distinct headings, best first.
     """
     short = []
     for index, (scorer, candidates) in enumerate(zip(scorers, starts)):
@@ -50,22 +66,20 @@ def fit(scorers, starts, belief, options, progress):
         full.append(Fits(trials, own.eye, score + scorer.prior, scale))
     fits = _distinct(_joined(full), options)
     fits = _with_second_evidence(fits, scorers, options)
-    first = int(fits.score.argmax())
-    scorer = scorers[fits.eye[first]]
+    scorer = scorers[fits.eye[0]]
     if scorer.second and options.turn.reach_deg > 0:
-        fits.trials[first] = turn(scorer.objective, scorer.second, fits.trials[first], fits.scale[first], options.turn)[
-            0
-        ]
+        fits.trials[0] = turn(scorer.objective, scorer.second, fits.trials[0], fits.scale[0], options.turn)
         fits = _distinct(fits, options)
     fits.trials[:, 0] = wrap_360(fits.trials[:, 0])
     return fits
 
 
 def _with_second_evidence(fits, scorers, options):
-    """The same fits, best first, after the inside of the picture has had its say.
+    """Add the evidence from the inside of the picture to the scores, and sort the fits by them.
 
-    With the probability `second_misled` the inside of the picture is misleading (snow, cloud shadow, forest) and says
-    nothing; so it can weigh one answer against another by no more than that share, and not overrule a clear skyline.
+    With the probability `second_misled` that evidence is misleading (snow, cloud shadow, forest) and carries no
+    information. This bounds the weight that it can have for one answer against another, so that it decides between
+    answers that the skyline leaves open and never overrules a clear skyline.
     """
     inside = np.zeros(len(fits.score))
     for index, scorer in enumerate(scorers):

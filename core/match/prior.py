@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.angles import difference, wrap_360
-from ..base.camera import FOCAL_SIGMA, Camera
+from ..base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px
+from ..base.errors import MissingMetadataError
+from ..base.messages import Message
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,35 @@ class CameraPrior:
 
     camera: Camera
     focal_sigma: float = FOCAL_SIGMA
+
+
+def camera_prior(metadata, hfov_deg=None):
+    """Camera and uncertainty of its focal length before the fit.
+
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+    hfov_deg : float or None
+        Horizontal field of view of the upright picture [degrees]. If None, the 35 mm equivalent is converted by the
+        diagonal rule, with the spread given in the metadata.
+
+    Raises
+    ------
+    MissingMetadataError
+        The field of view is not given, and the photo records no focal length.
+    """
+    width, height = metadata.width_px, metadata.height_px
+    if hfov_deg is not None:
+        focal, sigma = focal_of_fov_px(width, hfov_deg), FOCAL_SIGMA
+    elif metadata.focal_length_35mm is not None:
+        focal, sigma = focal_from_35mm_px(width, height, metadata.focal_length_35mm), metadata.focal_sigma
+    else:
+        raise MissingMetadataError(
+            Message(
+                "The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD."
+            )
+        )
+    return CameraPrior(Camera(width, height, focal), sigma)
 
 
 @dataclass(frozen=True)

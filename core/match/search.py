@@ -165,7 +165,7 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
 
 
 class _Best:
-    """The best score over pitch and roll of every heading, and where it was."""
+    """Best score over pitch and roll of every heading, with that pitch and roll."""
 
     def __init__(self, heading_deg):
         self.heading_deg, count = heading_deg, len(heading_deg)

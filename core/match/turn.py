@@ -60,10 +60,8 @@ def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 
 
     Returns
     -------
-    trial : (5,) array
+    (5,) array
         The given trial if no other agrees better.
-    score : float
-        Score of the skyline plus the full score of the inner evidence.
     """
     count = round(options.reach_deg / options.step_deg)
     trials = np.repeat(trial[None], 2 * count + 1, axis=0)
@@ -76,7 +74,7 @@ def turn(objective, second, trial, scale, options=TurnOptions()):  # noqa: B008 
     both = np.stack([trial, best[0]])
     skyline, inside = objective.score(both, scale), second.score(both)
     chosen = int(np.argmax(skyline + options.share * inside))
-    return both[chosen], float(skyline[chosen] + inside[chosen])
+    return both[chosen]
 
 
 def _peak(total):

@@ -22,7 +22,7 @@ from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import measure
 from .colour import learn_sky, relearn_sky
-from .features import boundary_features, means_above_below
+from .features import boundary_features, log_probability, means_above_below, normalised
 from .network import resized, row_probability, sky_log_odds
 from .seam import best_line, row_marginals
 
@@ -197,20 +197,8 @@ def _believe(appearance, ratio, log_odds, options):
     """Score of each row from its column alone, and probability from all columns, both (H, W)."""
     score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     if log_odds is not None:
-        score = _normalised(score + np.log(row_probability(log_odds, options.network_softness)))
+        score = normalised(score + np.log(row_probability(log_odds, options.network_softness)))
     return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
-
-
-def log_probability(features, weights):
-    """Log of p(row | column) from each column's own features, (H, W): weighted sum and softmax over the rows."""
-    score = sum(np.float32(weight) * features[name] for name, weight in weights.items())
-    return _normalised(score)
-
-
-def _normalised(score):
-    """Log-probabilities of the rows of each column, from their scores."""
-    score = score - score.max(0)
-    return score - np.log(np.exp(score).sum(0))
 
 
 @lru_cache(maxsize=1)

@@ -41,6 +41,18 @@ def boundary_features(appearance, ratio):
     }
 
 
+def log_probability(features, weights):
+    """Log of p(row | column) from each column's own features, (H, W): weighted sum and softmax over the rows."""
+    score = sum(np.float32(weight) * features[name] for name, weight in weights.items())
+    return normalised(score)
+
+
+def normalised(score):
+    """Log-probabilities of the rows of each column, from their scores."""
+    score = score - score.max(0)
+    return score - np.log(np.exp(score).sum(0))
+
+
 def _edge_features(appearance):
     """Edge strength at four scales, and its difference from the column's local maximum."""
     features = {}

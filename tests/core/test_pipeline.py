@@ -10,8 +10,9 @@ from skyline_viewshed.core.horizon.horizon import HorizonOptions
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.match import robust as match_robust
+from skyline_viewshed.core.match.prior import camera_prior
 from skyline_viewshed.core.paper.horizon import PaperHorizonOptions
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.skyline.given import evidence_from_line
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)

@@ -23,7 +23,7 @@ from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.match.ground import GroundEvidence
-from skyline_viewshed.core.pipeline import camera_prior
+from skyline_viewshed.core.match.prior import camera_prior
 
 SHOT = "morning"
 """Photograph of the sample that is shown."""

@@ -2,9 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.match.finding import heading_sigma_deg, judge, relief_px
-from skyline_viewshed.core.match.posterior import answer_probabilities, p_correct
-from skyline_viewshed.core.match.prior import HeadingPrior
+from skyline_viewshed.core.match.finding import heading_sigma_deg, relief_px
 from skyline_viewshed.core.match.robust import find_answers
 
 TRIAL = np.array([[97.3, 6.0, 1.0, 0.0, 0.0]])
@@ -65,37 +63,3 @@ def test_a_finding_speaks_of_the_best_answer_and_answers_can_be_put_in_another_o
     assert last.finding.heading_deg.tolist() == finding.heading_deg[::-1].tolist()
     assert last.finding.score.tolist() == finding.score[::-1].tolist()
     assert last.finding.explained < finding.explained and last.finding.residual_px > finding.residual_px
-
-
-def test_without_a_belief_the_picture_s_own_probabilities_stand(answers):
-    same, probability = judge(answers)
-    assert same is answers
-    assert probability[0] == pytest.approx(p_correct(answers.finding))
-    assert probability.sum() <= 1
-
-
-def test_a_belief_in_the_same_heading_makes_surer_and_one_in_another_less_sure(answers):
-    found = float(answers.trials[0, 0])
-    alone = judge(answers)[1][0]
-    _, agreeing = judge(answers, HeadingPrior(found + 5, 10.0))
-    _, opposing = judge(answers, HeadingPrior(found + 150, 10.0))
-    assert agreeing[0] > alone > opposing.max()
-
-
-def test_a_belief_changes_no_score(narrow, answers):
-    """The belief helps to choose what is looked at; how well an answer fits the picture is not its matter."""
-    led = find_answers(narrow.inputs(heading_prior=HeadingPrior(97.3, 10.0)))
-    assert led.finding.score[0] == pytest.approx(answers.finding.score[0], abs=1e-3)
-
-
-def test_a_strong_belief_in_the_second_answer_brings_it_to_the_front(answers):
-    finding = replace(answers.finding, score=answers.finding.score.copy())
-    level = replace(answers, finding=replace(finding, score=np.full(len(finding.score), finding.score[0])))
-    second = float(level.trials[1, 0])
-    judged, probability = judge(level, HeadingPrior(second, 5.0))
-    assert judged.trials[0, 0] == second
-    assert judged.finding.heading_deg[0] == second
-    assert (np.diff(probability) <= 0).all()
-    assert sorted(judged.trials[:, 0]) == sorted(level.trials[:, 0])
-    assert probability.sum() <= 1 + 1e-9
-    assert answer_probabilities(level.finding, 0.5)[0] == 0.5

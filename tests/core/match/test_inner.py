@@ -12,11 +12,11 @@ from skyline_viewshed.core.match.ground import GroundMatchOptions
 from skyline_viewshed.core.match.inner import InnerEvidence
 from skyline_viewshed.core.match.inputs import MatchInputs
 from skyline_viewshed.core.match.likelihood import EvidenceStack
-from skyline_viewshed.core.match.prior import CameraPrior
+from skyline_viewshed.core.match.prior import CameraPrior, camera_prior
 from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeMatchOptions
 from skyline_viewshed.core.match.robust import RobustOptions
-from skyline_viewshed.core.pipeline import OrientOptions, Setting, camera_prior, orient_photo
+from skyline_viewshed.core.pipeline import OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
@@ -37,7 +37,8 @@ def parts_of(scene):
     evidence, horizon = skyline_evidence(scene.photo.pixels), horizon_profile(scene.terrain, scene.observer)
     inner = inner_terrain(scene.terrain, scene.observer)
     inputs = MatchInputs(evidence, CameraPrior(scene.camera, 0.02), horizon, inner=inner)
-    return Objective(EvidenceStack(evidence.probability), inputs.reduced_prior, HorizonCurve(horizon)), inputs
+    objective = Objective(EvidenceStack(evidence.probability), inputs.reduced_prior, HorizonCurve(horizon))
+    return objective, evidence, inner
 
 
 def trials_of(pose, turns_deg):
@@ -67,15 +68,14 @@ def test_crests_and_ground_add_up(scene, parts):
 
 
 def test_what_is_unknown_adds_nothing(scene, parts):
-    objective, inputs = parts
+    objective, evidence, inner = parts
     trials = trials_of(scene.pose, np.arange(0.0, 360.0, 40.0))
-    no_terrain = replace(inputs, inner=None)
-    no_picture = replace(inputs, evidence=replace(inputs.evidence, thumbnail=None, ridge_score=None))
-    for unknown in (no_terrain, no_picture):
-        second = InnerEvidence(objective, unknown, RobustOptions())
+    no_picture = replace(evidence, thumbnail=None, ridge_score=None)
+    for picture, terrain in ((evidence, None), (no_picture, inner)):
+        second = InnerEvidence(objective, picture, terrain, RobustOptions())
         assert not second and not second.score(trials).any()
-    no_ground = replace(inputs, inner=InnerTerrain(inputs.inner.ridges, None))
-    assert not InnerEvidence(objective, no_ground, RobustOptions(ridges=NO_CRESTS)).score(trials).any()
+    no_ground = InnerTerrain(inner.ridges, None)
+    assert not InnerEvidence(objective, evidence, no_ground, RobustOptions(ridges=NO_CRESTS)).score(trials).any()
 
 
 def twin_mountains():

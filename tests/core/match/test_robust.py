@@ -5,7 +5,7 @@ import pytest
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.model import SkylineEvidence
 from skyline_viewshed.core.horizon.inner import InnerTerrain
-from skyline_viewshed.core.match import robust
+from skyline_viewshed.core.match import fitting, robust
 from skyline_viewshed.core.match.landmarks import Landmark
 from skyline_viewshed.core.match.prior import HeadingPrior
 from skyline_viewshed.core.match.robust import match_robust
@@ -66,7 +66,7 @@ def test_a_perfect_skyline_gives_the_pose(match_scenes, seed):
 
 def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_away(match_scenes, monkeypatch):
     """Near ground that the DEM draws wrong pulls wide fits aside, out of reach of the fine ones that come after."""
-    fit = robust.refine
+    fit = fitting.refine
 
     def pulled_aside(objective, trials, scale, stride=1, **rest):
         trials, score = fit(objective, trials, scale, stride, **rest)
@@ -75,7 +75,7 @@ def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_aw
         return trials, score
 
     scene = match_scenes.scene(3, 211.0)
-    monkeypatch.setattr(robust, "refine", pulled_aside)
+    monkeypatch.setattr(fitting, "refine", pulled_aside)
     assert miss(solve(scene), 211.0) < 0.2
 
 

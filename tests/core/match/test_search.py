@@ -14,7 +14,7 @@ from skyline_viewshed.core.skyline.given import evidence_from_line
 
 def search(scene, **facts):
     stack = EvidenceStack(scene.evidence.probability)
-    return coarse_search(stack, scene.small_camera, HorizonCurve(scene.horizon), **facts)
+    return coarse_search(stack, scene.small_camera, [HorizonCurve(scene.horizon)], **facts)[0]
 
 
 @pytest.mark.parametrize("heading_deg", [0.0, 97.3, 359.9])
@@ -97,7 +97,7 @@ def _picture_of(azimuth_deg, elevation_deg, hfov_deg, pose):
 
 
 def _candidates(evidence, camera, curve, options):
-    return coarse_search(EvidenceStack(evidence.probability), camera, curve, options).candidates
+    return coarse_search(EvidenceStack(evidence.probability), camera, [curve], options)[0].candidates
 
 
 def test_candidates_keep_their_distance_across_north():
@@ -125,3 +125,17 @@ def test_cancelling_stops_the_search(match_scenes):
 
     with pytest.raises(Cancelled):
         search(match_scenes.scene(1), progress=Impatient())
+
+
+def test_several_horizons_are_searched_as_each_of_them_alone(match_scenes):
+    one, other = (match_scenes.scene(seed, 97.3, pitch_deg=6.0, roll_deg=2.0) for seed in (4, 7))
+    stack, curves = EvidenceStack(one.evidence.probability), [HorizonCurve(s.horizon) for s in (one, other)]
+    together = coarse_search(stack, one.small_camera, curves)
+    assert len(together) == 2
+    alone = coarse_search(stack, one.small_camera, curves[:1])[0]
+    # The trial pitches are laid over the elevations of both horizons, so that the scores differ a little.
+    assert abs(together[0].candidates[0, 0] - alone.candidates[0, 0]) < 0.9
+    assert together[0].score.max() > together[1].score.max() + 0.5
+    best = int(together[0].score.argmax())
+    assert together[0].pitch_deg[best] == together[0].candidates[0, 1]
+    assert together[0].roll_deg[best] == together[0].candidates[0, 2]
