@@ -94,6 +94,10 @@ bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes: [
 bench-views: setup ## Headings of views cut from real photographs: DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]
 	@$(PYTHON) benchmarks/bench_views.py "$(DATA)" --count $(or $(COUNT),6) --seed $(or $(SEED),1) --compass $(COMPASS)
 
+.PHONY: bench-regions
+bench-regions: setup ## Headings region by region, with nothing fitted on them: [DATA=../shared/data] [COMPASS=ignore|prior] [JOBS=1]
+	@$(PYTHON) benchmarks/bench_regions.py "$(or $(DATA),../shared/data)" --compass $(COMPASS) --jobs $(or $(JOBS),1)
+
 .PHONY: bench-monoplot
 bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
 	@$(PYTHON) benchmarks/bench_monoplot.py --scenes $(or $(SCENES),60)

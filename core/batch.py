@@ -227,7 +227,19 @@ def _eye_elevation_m(request, metadata):
 
 
 def _eye_notes(request, metadata, oriented):
-    """Note on a recorded altitude that contradicts the DEM, or that was requested but cannot be used."""
+    """Note on an eye that is not where the DEM has it, or on a recorded altitude that contradicts the DEM."""
+    if oriented.orientation.eye and oriented.ground_elevation_m is not None:
+        above = oriented.eye_elevation_m - oriented.ground_elevation_m
+        metres = f"{abs(above):.0f}"
+        if above > 0:
+            return (
+                Message(
+                    "The skyline fits best from {metres} m above the DEM's surface, which was used.", metres=metres
+                ),
+            )
+        return (
+            Message("The skyline fits best from {metres} m below the DEM's surface, which was used.", metres=metres),
+        )
     if metadata.altitude_m is None or oriented.ground_elevation_m is None:
         return ()
     trusted = request.use_altitude and request.eye_elevation_m is None

@@ -3207,6 +3207,16 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m über der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m unter der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
         <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
         <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
     </message>
@@ -3515,6 +3525,16 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
+        <translation>Das DGM {path} hat {count} Kanäle, aber keinen Kanal {band}. Wählen Sie einen anderen Kanal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>Kanal {band} von {path} enthält komplexe Zahlen. Wählen Sie ein Höhenraster.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
         <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
         <translation>Das DGM {path} hat kein geographisches oder projiziertes Koordinatenbezugssystem. Weisen Sie das richtige zu (gdal_edit -a_srs).</translation>
     </message>
@@ -3592,16 +3612,6 @@
         <location filename="../core/io/raster.py"/>
         <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
         <translation>Das DGM {path} ist kein Raster, das GDAL lesen kann. Wählen Sie ein Höhenraster.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
-        <translation>Das DGM {path} hat {count} Kanäle, aber keinen Kanal {band}. Wählen Sie einen anderen Kanal.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
-        <translation>Kanal {band} von {path} enthält komplexe Zahlen. Wählen Sie ein Höhenraster.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3695,6 +3705,16 @@
         <translation>Die Anpassung ist schwach. Prüfen Sie die Überlagerung, oder geben Sie eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske an.</translation>
     </message>
     <message>
+        <location filename="../core/match/prior.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>Die Horizontlinie entscheidet nicht über die Blickrichtung, deshalb wird die ungefähre Richtung zurückgegeben. Prüfen Sie die Überlagerung oder geben Sie eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an.</translation>
+    </message>
+    <message>
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>Nach dem DGM ist die deutlichste Linie im Bild ein naher Grat; als Horizontlinie wurde die schwächere Linie dahinter verwendet.</translation>
@@ -3733,11 +3753,6 @@
         <location filename="../core/paper/skyline.py"/>
         <source>The picture has no smooth region above a rough one.</source>
         <translation>Das Bild hat keinen glatten Bereich über einem rauen.</translation>
-    </message>
-    <message>
-        <location filename="../core/pipeline.py"/>
-        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>

@@ -3207,6 +3207,16 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por encima de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por debajo de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
         <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
         <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
     </message>
@@ -3515,6 +3525,16 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
+        <translation>El MDE {path} tiene {count} banda(s), pero ninguna banda {band}. Elija otra banda.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>La banda {band} de {path} contiene números complejos. Elija un ráster de altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
         <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
         <translation>El MDE {path} no tiene un sistema de referencia de coordenadas geográfico o proyectado. Asigne el correcto (gdal_edit -a_srs).</translation>
     </message>
@@ -3592,16 +3612,6 @@
         <location filename="../core/io/raster.py"/>
         <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
         <translation>El MDE {path} no es un ráster que GDAL pueda leer. Elija un ráster de altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
-        <translation>El MDE {path} tiene {count} banda(s), pero ninguna banda {band}. Elija otra banda.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
-        <translation>La banda {band} de {path} contiene números complejos. Elija un ráster de altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3695,6 +3705,16 @@
         <translation>El ajuste es débil. Compruebe la superposición, o dé un rumbo aproximado, un punto de referencia o una máscara del cielo.</translation>
     </message>
     <message>
+        <location filename="../core/match/prior.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>La línea del horizonte no decide el rumbo, por lo que se devuelve el rumbo aproximado. Compruebe la superposición, o indique un punto de referencia, una línea del horizonte dibujada o una máscara de cielo.</translation>
+    </message>
+    <message>
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>Según el MDE, la línea más marcada de la imagen es una cresta cercana; como línea del horizonte se usó la más débil que hay detrás.</translation>
@@ -3733,11 +3753,6 @@
         <location filename="../core/paper/skyline.py"/>
         <source>The picture has no smooth region above a rough one.</source>
         <translation>La imagen no tiene una zona lisa sobre otra rugosa.</translation>
-    </message>
-    <message>
-        <location filename="../core/pipeline.py"/>
-        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>

@@ -3207,6 +3207,16 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessus de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessous de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
         <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
         <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
     </message>
@@ -3515,6 +3525,16 @@
     </message>
     <message>
         <location filename="../core/io/georeference.py"/>
+        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
+        <translation>Le MNT {path} a {count} bande(s), mais pas de bande {band}. Choisissez une autre bande.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
+        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
+        <translation>La bande {band} de {path} contient des nombres complexes. Choisissez un raster d'altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/georeference.py"/>
         <source>The DEM {path} has no geographic or projected coordinate reference system. Assign the right one (gdal_edit -a_srs).</source>
         <translation>Le MNT {path} n'a pas de système de coordonnées de référence géographique ou projeté. Attribuez-lui le bon (gdal_edit -a_srs).</translation>
     </message>
@@ -3592,16 +3612,6 @@
         <location filename="../core/io/raster.py"/>
         <source>The DEM {path} is not a raster that GDAL can read. Choose an elevation raster.</source>
         <translation>Le MNT {path} n'est pas un raster que GDAL sait lire. Choisissez un raster d'altitudes.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>The DEM {path} has {count} band(s), but no band {band}. Choose another.</source>
-        <translation>Le MNT {path} a {count} bande(s), mais pas de bande {band}. Choisissez une autre bande.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of {path} contains complex numbers. Choose an elevation raster.</source>
-        <translation>La bande {band} de {path} contient des nombres complexes. Choisissez un raster d'altitudes.</translation>
     </message>
     <message>
         <location filename="../core/io/raster.py"/>
@@ -3695,6 +3705,16 @@
         <translation>L'ajustement est faible. Vérifiez la superposition, ou donnez un azimut approché, un point de repère ou un masque de ciel.</translation>
     </message>
     <message>
+        <location filename="../core/match/prior.py"/>
+        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
+        <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>La ligne d'horizon ne détermine pas l'azimut ; l'azimut approximatif est donc repris. Vérifiez la superposition, ou indiquez un point de repère, une ligne d'horizon dessinée ou un masque de ciel.</translation>
+    </message>
+    <message>
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>D'après le MNT, la ligne la plus nette de l'image est une crête proche ; la ligne plus faible derrière elle a été utilisée comme ligne d'horizon.</translation>
@@ -3733,11 +3753,6 @@
         <location filename="../core/paper/skyline.py"/>
         <source>The picture has no smooth region above a rough one.</source>
         <translation>L'image n'a pas de zone lisse au-dessus d'une zone rugueuse.</translation>
-    </message>
-    <message>
-        <location filename="../core/pipeline.py"/>
-        <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
-        <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>

@@ -9,7 +9,7 @@ from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.horizon.horizon import HorizonOptions
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.match import robust as match_robust
+from skyline_viewshed.core.match import fitting
 from skyline_viewshed.core.match.prior import camera_prior
 from skyline_viewshed.core.paper.horizon import PaperHorizonOptions
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
@@ -64,8 +64,8 @@ def test_everything_that_a_report_needs_comes_with_the_answer(scene, taken):
 
 def test_the_ground_places_an_extracted_skyline_s_answer_and_not_a_given_one_s(taken, monkeypatch):
     photo, dem, observer = taken
-    turned, turn = [], match_robust.turn
-    monkeypatch.setattr(match_robust, "turn", lambda *given: turned.append(1) or turn(*given))
+    turned, turn = [], fitting.turn
+    monkeypatch.setattr(fitting, "turn", lambda *given: turned.append(1) or turn(*given))
     found = orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata)))
     assert turned
     del turned[:]
