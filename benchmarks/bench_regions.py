@@ -4,7 +4,7 @@ A region is one mountain range; `khumbu` and `khumbu-trek` are one. Only figures
 method count. What is fitted (the skyline weights, the sky network, the calibration) is fitted on simulated pictures,
 on public pictures with sky labels and on the 30 masks, none of which is a photograph of a region here; so each row is
 measured with nothing fitted on its region. What a person chose with a region in sight is listed in docs/accuracy.md.
-Writes `build/regions.json`.
+Writes `build/regions-ignore.json` or `build/regions-prior.json`, by the use of the compass.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def main(arguments=None):
     parser.add_argument("data", type=Path, help="folder of folders with truth.csv, photos/ and dem/")
     parser.add_argument("--compass", choices=("ignore", "prior"), default="ignore")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 1) - 1, 1))
-    parser.add_argument("--output", type=Path, default=Path("build/regions.json"))
+    parser.add_argument("--output", type=Path, help="build/regions-COMPASS.json by default")
     given = parser.parse_args(arguments)
     folders = sorted(path.parent for path in given.data.glob("*/truth.csv"))
     tasks = [(f, line, given.compass) for f in folders for line in read_truth(f) if line.get("group") in GROUPS]
@@ -45,9 +45,10 @@ def main(arguments=None):
     for region, counts in table.items():
         print(f"{region:12} " + ", ".join(f"{key} {value}" for key, value in counts.items()))
     report = {"compass": given.compass, "photos": rows, "regions": table}
-    given.output.parent.mkdir(parents=True, exist_ok=True)
-    given.output.write_text(json.dumps(report, indent=1), encoding="utf-8")
-    print(f"written: {given.output}")
+    output = given.output or Path("build") / f"regions-{given.compass}.json"
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.write_text(json.dumps(report, indent=1), encoding="utf-8")
+    print(f"written: {output}")
 
 
 def measure(task):

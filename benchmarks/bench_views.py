@@ -28,7 +28,7 @@ from skyline_viewshed.core.batch import HorizonCache, orient_request
 from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.match.prior import CompassOptions, camera_prior, compass_prior
+from skyline_viewshed.core.match.prior import WIDE, CompassOptions, camera_prior, compass_prior
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -185,7 +185,8 @@ def read_compass(heading_deg, generator, options=CompassOptions()):  # noqa: B00
         return float(generator.uniform(0, 360))
     chance -= options.outlier_share
     turn = 90 if chance < quarter else -90 if chance < 2 * quarter else 180 if chance < 2 * quarter + half else 0
-    return float(wrap_360(heading_deg + turn + generator.normal(0, options.sigma_deg)))
+    spread = options.sigma_deg * (WIDE if generator.random() < options.wide_share else 1.0)
+    return float(wrap_360(heading_deg + turn + generator.normal(0, spread)))
 
 
 def row_of(folder, line, number, camera, pose, heading_deg, answer, cpu_s):

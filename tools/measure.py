@@ -59,7 +59,32 @@ def tables():
         path = ROOT / "build" / f"{name}.json"
         if path.exists():
             blocks[name] = table(json.loads(path.read_text(encoding="utf-8")))
+    found = [ROOT / "build" / f"regions-{compass}.json" for compass in COMPASS]
+    if all(path.exists() for path in found):
+        blocks["regions"] = regions_table([json.loads(path.read_text(encoding="utf-8")) for path in found])
     return blocks
+
+
+def regions_table(reports):
+    """Table of `bench_regions.py`, without and with the compass."""
+    words = {"ignore": "blind", "prior": "compass as a hint"}
+    limits = ("< 0.5", "< 1", "< 1.5", "< 3", "< 10")
+    head = (
+        "region",
+        "",
+        "good photos",
+        *(f"{limit}°" for limit in limits),
+        "accepted",
+        "of these wrong by more than 3°",
+    )
+    rows = []
+    for report in reports:
+        for region, found in report["regions"].items():
+            counts = [found[key] for key in ("photos", *limits, "accepted", "of these wrong", "interval holds")]
+            held = f"{counts[-1]} of {counts[-3]}"
+            hard = f"{found['hard accepted']} of {found['hard']}"
+            rows.append([region, words[report["compass"]], *counts[:-1], held, hard])
+    return table_of([*head, "interval of these holds the truth", "photos without a usable skyline accepted"], rows)
 
 
 def filled(text, blocks):

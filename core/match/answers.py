@@ -78,7 +78,7 @@ class Answers:
             eye=np.append(self.eye, self.eye[0]),
             scale=np.append(self.scale, self.scale.max()),
             finding=replace(self.finding, score=np.append(self.finding.score, around.score[at])),
-            hint_sigma_deg=heading_prior.sigma_deg,
+            hint_sigma_deg=heading_prior.spread_deg,
             hint=len(self.trials),
         )
 
@@ -147,7 +147,7 @@ def judge(answers, heading_prior=None):
     probability = weigh(probability, answers.trials[:, 0], heading_prior)
     left = max(1 - probability.sum(), 0.0) * heading_prior.core_share
     heading = np.append(answers.trials[:, 0], heading_prior.heading_deg)
-    sigma = np.append(answers.finding.sigma_deg, heading_prior.sigma_deg)
+    sigma = np.append(answers.finding.sigma_deg, heading_prior.spread_deg)
     probability = np.append(probability, left)
     # The region of the circle is chosen first, and then the answer in it at which the posterior is densest.
     region = heading[probability_near(heading, sigma, probability, REGION_DEG).argmax()]

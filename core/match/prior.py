@@ -11,6 +11,9 @@ from ..base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_
 from ..base.errors import MissingMetadataError
 from ..base.messages import Message
 
+WIDE = 3.0
+"""How many times as far the wide part of a heading prior's core spreads."""
+
 
 @dataclass(frozen=True)
 class CameraPrior:
@@ -71,12 +74,20 @@ class HeadingPrior:
         Probability that the given heading is worthless (uniform over the circle).
     faults : tuple of (float, float)
         Known errors: a turn [degrees] to add to `heading_deg`, and its probability.
+    wide_share : float
+        Share of the core that spreads `WIDE` times as far: readings beside iron or with a poor calibration.
     """
 
     heading_deg: float
     sigma_deg: float
     outlier_share: float = 0.1
     faults: tuple = ()
+    wide_share: float = 0.0
+
+    @property
+    def spread_deg(self):
+        """Standard deviation of the whole core [degrees]."""
+        return self.sigma_deg * float(np.sqrt(1 - self.wide_share + self.wide_share * WIDE**2))
 
     @property
     def core_share(self):
@@ -96,7 +107,9 @@ def log_ratio(prior, heading_deg):
         return np.zeros(heading_deg.shape)
     density = np.full(heading_deg.shape, float(prior.outlier_share))
     for turn, share in ((0.0, prior.core_share), *prior.faults):
-        density = density + share * _gaussian_ratio(difference(heading_deg, prior.heading_deg + turn), prior.sigma_deg)
+        away = difference(heading_deg, prior.heading_deg + turn)
+        for part, spread in ((1 - prior.wide_share, 1.0), (prior.wide_share, WIDE)):
+            density = density + share * part * _gaussian_ratio(away, spread * prior.sigma_deg)
     return np.log(np.maximum(density, 1e-12))
 
 
@@ -112,13 +125,18 @@ class CompassOptions:
     ----------
     sigma_deg : float
         Spread of the core [degrees].
+    wide_share : float
+        Share of the core that spreads `WIDE` times as far. For the compasses of 47 photographs of known heading, and
+        for those left without any one region, 4.5 degrees and shares of 0 to 0.3 are the likeliest; the defaults are
+        a little more careful.
     outlier_share : float
         Share of the readings that carry no information.
     quarter_turn_share, half_turn_share : float
         Shares of the readings that are off by 90 degrees to either side (each), and by 180 degrees.
     """
 
-    sigma_deg: float = 10.0
+    sigma_deg: float = 5.0
+    wide_share: float = 0.3
     outlier_share: float = 0.1
     quarter_turn_share: float = 0.02
     half_turn_share: float = 0.01
@@ -153,4 +171,4 @@ def compass_prior(heading_deg, options=CompassOptions()):
         return None
     quarter, half = options.quarter_turn_share, options.half_turn_share
     faults = ((90.0, quarter), (-90.0, quarter), (180.0, half))
-    return HeadingPrior(float(heading_deg), options.sigma_deg, options.outlier_share, faults)
+    return HeadingPrior(float(heading_deg), options.sigma_deg, options.outlier_share, faults, options.wide_share)

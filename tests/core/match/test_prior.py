@@ -7,7 +7,7 @@ from skyline_viewshed.core.match.prior import CompassOptions, HeadingPrior, comp
 
 
 def test_the_density_integrates_to_one_over_the_circle():
-    prior = HeadingPrior(350.0, 12.0, 0.1, ((90.0, 0.03), (-90.0, 0.03), (180.0, 0.02)))
+    prior = HeadingPrior(350.0, 12.0, 0.1, ((90.0, 0.03), (-90.0, 0.03), (180.0, 0.02)), wide_share=0.2)
     heading = np.arange(0, 360, 0.1)
     assert np.exp(log_ratio(prior, heading)).mean() == pytest.approx(1.0, rel=1e-6)
 
@@ -55,3 +55,10 @@ def test_the_prior_prefers_the_reading_and_then_its_quarter_turns():
 def test_an_overconfident_compass_is_refused():
     with pytest.raises(ValueError, match="5 degrees"):
         CompassOptions(sigma_deg=2)
+
+
+def test_the_wide_part_of_the_core_counts_in_its_spread():
+    assert HeadingPrior(10.0, 5.0).spread_deg == 5.0
+    assert HeadingPrior(10.0, 5.0, wide_share=0.3).spread_deg == pytest.approx(5 * np.sqrt(0.7 + 0.3 * 9))
+    near, wide = (log_ratio(HeadingPrior(10.0, 5.0, wide_share=share), 35.0) for share in (0.0, 0.3))
+    assert wide > near
