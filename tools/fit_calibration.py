@@ -80,7 +80,7 @@ def _solve(path, dem):
     from skyline_viewshed.core.match.inputs import MatchInputs
     from skyline_viewshed.core.match.prior import camera_prior
     from skyline_viewshed.core.match.robust import find_answers
-    from skyline_viewshed.core.pipeline import OrientOptions
+    from skyline_viewshed.core.pipeline import HorizonCache, OrientOptions, other_eyes
     from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
     options = OrientOptions()
@@ -91,10 +91,12 @@ def _solve(path, dem):
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
         horizon = horizon_profile(dem, observer, options.horizon)
         inner = inner_terrain(dem, observer, options.inner)
+        eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, HorizonCache())
     except PhotoError:
         return None
     position = metadata.position_error_m or TYPICAL_POSITION_ERROR_M
-    inputs = MatchInputs(evidence, camera_prior(metadata), horizon, position_error_m=position, inner=inner)
+    facts = {"position_error_m": position, "inner": inner, "other_eyes": eyes}
+    inputs = MatchInputs(evidence, camera_prior(metadata), horizon, **facts)
     return find_answers(inputs, options.robust).finding
 
 
