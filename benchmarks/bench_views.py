@@ -25,11 +25,10 @@ from skyline_viewshed.core.base.angles import difference, wrap_360
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, project, unproject
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.batch import HorizonCache, orient_request
-from skyline_viewshed.core.horizon.inner import inner_terrain
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.match.prior import WIDE, CompassOptions, camera_prior, compass_prior
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo, other_eyes
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bench_accuracy import dem_of, read_truth, request_of  # noqa: E402
@@ -93,7 +92,9 @@ def measure(folder, given):
             continue
         observer = Observer(base.longitude_deg, base.latitude_deg)
         photo = read_photo(str(Path(folder) / "photos" / line["photo"]), SOURCE_PX)
-        inner = inner_terrain(dem, observer, options.inner)
+        horizon = cache.profile(dem, observer, options.horizon)
+        inner = cache.inner(dem, observer, options.inner)
+        eyes = other_eyes(dem, observer, horizon, photo.metadata.altitude_m, options, cache)
         for number in range(given.count):
             # Each view has its own generator, so that a change of the base pose by hundredths of a degree affects few.
             generator = np.random.default_rng([given.seed, number, *line["photo"].encode()])
@@ -109,7 +110,7 @@ def measure(folder, given):
             metadata = replace(photo.metadata, width_px=camera.width_px, height_px=camera.height_px)
             known = camera.hfov_deg * np.exp(generator.normal(0, FOCAL_SIGMA))
             started = time.process_time()
-            setting = Setting(observer, camera_prior(metadata, known), hints, base.horizon, inner)
+            setting = Setting(observer, camera_prior(metadata, known), hints, horizon, inner, other_eyes=eyes)
             view = replace(photo, metadata=metadata, pixels=pixels)
             answer = orient_photo(view, dem, setting, options).orientation
             spent = time.process_time() - started
