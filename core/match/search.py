@@ -159,8 +159,8 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
         checkpoint(progress, index / len(pitches))
         for roll in options.rolls_deg(camera.hfov_deg):
             trial = Pose(0.0, pitch, roll)
-            for one, scores in zip(best, _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)):
-                one.add(trial, *scores, step)
+            for one, found in zip(best, _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)):
+                one.add(trial, found)
     return [one.result(options, belief) for one in best]
 
 
@@ -169,15 +169,18 @@ class _Best:
 
     def __init__(self, heading_deg):
         self.heading_deg, count = heading_deg, len(heading_deg)
+        self.step_deg = heading_deg[1] - heading_deg[0]
         self.score = np.full(count, -np.inf)
         self.pitch_deg, self.roll_deg = np.zeros(count), np.zeros(count)
 
-    def add(self, trial, scores, shifts, step):
+    def add(self, trial, found):
+        """Take the scores (shifts, N) around one trial, and their shifts of its pitch, where they are better."""
+        scores, shifts = found
         winner = scores.argmax(axis=0)
         top = scores[winner, np.arange(scores.shape[1])]
         better = top > self.score
         self.score[better] = top[better]
-        self.pitch_deg[better] = trial.pitch_deg + shifts[winner[better]] * step
+        self.pitch_deg[better] = trial.pitch_deg + shifts[winner[better]] * self.step_deg
         self.roll_deg[better] = trial.roll_deg
 
     def result(self, options, belief):

@@ -138,10 +138,10 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     appearance = measure(inner)
     log_odds = resized(sky_log_odds(inner), *inner.shape[:2]) if options.use_network else None
     ratio = _first_colours(log_odds, appearance, options)
-    score, probability = _believe(appearance, ratio, log_odds, options)
+    edges, score, probability = _believe(appearance, ratio, log_odds, options)
     for _ in range(options.refits):
         ratio = relearn_sky(appearance, probability, ratio)
-        score, probability = _believe(appearance, ratio, log_odds, options)
+        edges, score, probability = _believe(appearance, ratio, log_odds, options)
     line = best_line(score, options.seam_cost_per_px)
     evidence = SkylineEvidence(
         **_laid_out(probability, line, crop, reduced.shape),
@@ -152,7 +152,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
         ridge_score=_framed(_ridges(appearance, probability), crop, reduced.shape, 0),
         thumbnail=imaging.thumbnail(reduced, crop),
     )
-    rival = _rival(score, probability, line, options)
+    rival = _rival(edges, probability, line, options)  # the network takes a pale range for sky
     if rival is None:
         return evidence
     return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
@@ -194,11 +194,11 @@ def _rival(score, probability, line, options):
 
 
 def _believe(appearance, ratio, log_odds, options):
-    """Score of each row from its column alone, and probability from all columns, both (H, W)."""
-    score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
+    """Score of each row from its column alone, without and with the network, and probability from all columns."""
+    edges = score = log_probability(boundary_features(appearance, ratio), options.weights or shipped_weights())
     if log_odds is not None:
-        score = normalised(score + np.log(row_probability(log_odds, options.network_softness)))
-    return score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
+        score = normalised(edges + np.log(row_probability(log_odds, options.network_softness)))
+    return edges, score, row_marginals(score * options.temper, options.step_cost_per_px, options.jump_share)
 
 
 @lru_cache(maxsize=1)

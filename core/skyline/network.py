@@ -96,7 +96,14 @@ def row_probability(log_odds, softness=SOFTNESS):
 
 
 def resized(image, height_px, width_px):
-    """Resample a picture or a map: sides that become smaller by areas, those that become larger linearly."""
+    """Resample a picture or a map: sides that become smaller by areas, those that become larger linearly.
+
+    Parameters
+    ----------
+    image : (H, W) or (H, W, C) array
+    height_px, width_px : int
+        New size [pixels].
+    """
     height, width = image.shape[:2]
     smaller = imaging.shrink(image, min(width, width_px), min(height, height_px))
     for axis, size in ((0, height_px), (1, width_px)):

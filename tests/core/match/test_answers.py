@@ -75,7 +75,7 @@ def test_a_picture_without_a_telling_skyline_gets_the_hint_back(match_scenes):
     flat[10, ::2] += 0.02  # enough of an edge not to be refused, and no shape
     evidence = replace(scene.evidence, probability=flat / flat.sum(0), ridge_score=None, thumbnail=None, rival=None)
     found = match_robust(replace(scene.inputs(heading_prior=HeadingPrior(200.0, 10.0)), evidence=evidence))
-    assert found.best.pose.heading_deg == pytest.approx(200.0, abs=10.0)
+    assert found.best.pose.heading_deg == pytest.approx(200.0, abs=20.0)
     width = (found.heading_hi_deg - found.heading_lo_deg) % 360
     assert found.status != "accepted" and width > 10
     if found.message == HINT_MESSAGE:

@@ -33,32 +33,28 @@ def fitted(objective):
 
 
 def test_ground_without_a_word_leaves_the_answer_alone(objective, fitted):
-    trial, score = turn(objective, Ground(200.0, 0.0), fitted, 1.0)
+    trial = turn(objective, Ground(200.0, 0.0), fitted, 1.0)
     assert trial[0] == pytest.approx(fitted[0], abs=0.05)
-    assert score >= objective.score(fitted[None], 1.0)[0] - 1e-12
+    assert objective.score(trial[None], 1.0)[0] >= objective.score(fitted[None], 1.0)[0] - 1e-12
 
 
 @pytest.mark.parametrize("side_deg", [-0.9, 0.9])
 def test_strong_ground_draws_the_answer_to_its_side(objective, fitted, side_deg):
-    weak, _ = turn(objective, Ground(200.0 + side_deg, 0.3), fitted, 3.0)
-    strong, score = turn(objective, Ground(200.0 + side_deg, 60.0), fitted, 3.0)
+    weak = turn(objective, Ground(200.0 + side_deg, 0.3), fitted, 3.0)
+    strong = turn(objective, Ground(200.0 + side_deg, 60.0), fitted, 3.0)
     assert 0 <= np.sign(side_deg) * (weak[0] - fitted[0]) < abs(side_deg)
     assert strong[0] == pytest.approx(200.0 + side_deg, abs=0.06)
-    skyline, inside = objective.score(strong[None], 3.0), Ground(200.0 + side_deg, 60.0).score(strong[None])
-    assert score == pytest.approx(float(skyline[0] + inside[0])), "the score counts the ground in full"
 
 
 def test_the_share_tells_how_far(objective, fitted):
-    moved = [
-        turn(objective, Ground(200.9, 1.0), fitted, 3.0, TurnOptions(share=share))[0][0] for share in (0.0, 0.5, 1.0)
-    ]
+    moved = [turn(objective, Ground(200.9, 1.0), fitted, 3.0, TurnOptions(share=share))[0] for share in (0.0, 0.5, 1.0)]
     assert moved[0] == pytest.approx(fitted[0], abs=0.05)
     assert moved[0] <= moved[1] + 1e-6 <= moved[2] + 2e-6
     assert moved[2] > moved[0]
 
 
 def test_the_turn_ends_at_its_reach(objective, fitted):
-    trial, _ = turn(objective, Ground(204.0, 1e3, 6.0), fitted, 3.0, TurnOptions(reach_deg=1.0, step_deg=0.25))
+    trial = turn(objective, Ground(204.0, 1e3, 6.0), fitted, 3.0, TurnOptions(reach_deg=1.0, step_deg=0.25))
     assert trial[0] == pytest.approx(fitted[0] + 1.0, abs=1e-6)
 
 
