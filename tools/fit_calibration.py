@@ -1,12 +1,13 @@
 """Fit the table that turns the quantities of a fit into a probability: `core/match/calibration.json`.
 
     python tools/fit_calibration.py collect rows.jsonl --count 400 --seed 11
-    python tools/fit_calibration.py fit rows.jsonl [--test other.jsonl] [--write]
+    python tools/fit_calibration.py fit rows.jsonl [--test other.jsonl] [--former table.json] [--write]
 
 `collect` renders simulated photographs (benchmarks/simulated_cases.py, level 'full'), solves them without the truth and
 writes one line per photograph: features, errors and scores of all answers. `fit` fits a logistic regression with a
 small ridge penalty, prints the reliability of the probabilities on unseen photographs (two-fold, or --test), and
-replaces the table if --write is given.
+replaces the table if --write is given. With --former the penalty draws the weights towards those of a former table
+instead of 0: a few hundred photographs say little about the weaker quantities.
 """
 
 from __future__ import annotations
@@ -43,12 +44,14 @@ def main(arguments=None):
     fitting.add_argument("rows", type=Path)
     fitting.add_argument("--test", type=Path)
     fitting.add_argument("--origin", default=None, help="one sentence on where the rows come from")
+    fitting.add_argument("--former", type=Path, help="table towards whose weights the penalty draws")
     fitting.add_argument("--write", action="store_true")
     given = parser.parse_args(arguments)
     if given.command == "collect":
         collect(given.rows, given.count, given.seed)
     else:
-        study(read_rows(given.rows), given.test and read_rows(given.test), given.origin, given.write)
+        former = json.loads(given.former.read_text(encoding="utf-8")) if given.former else None
+        study(read_rows(given.rows), given.test and read_rows(given.test), former, given.origin, given.write)
 
 
 def collect(path, count, seed):
@@ -115,15 +118,15 @@ def read_rows(path):
     return [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines() if line.strip()]
 
 
-def study(rows, test, origin, write):
+def study(rows, test, former, origin, write):
     """Fit, print the check on unseen rows, and write the table if requested."""
     if test:
-        print_check("other photographs", probabilities(fit_table(rows), test), test)
+        print_check("other photographs", probabilities(fit_table(rows, former), test), test)
     else:
         halves = rows[::2], rows[1::2]
-        unseen = [probabilities(fit_table(halves[1 - i]), halves[i]) for i in (0, 1)]
+        unseen = [probabilities(fit_table(halves[1 - i], former), halves[i]) for i in (0, 1)]
         print_check("two-fold", np.concatenate(unseen), halves[0] + halves[1])
-    table = fit_table(rows + (test or []))
+    table = fit_table(rows + (test or []), former)
     table = {"origin": origin or f"{len(rows) + len(test or [])} simulated photographs", **table}
     print(json.dumps(table, indent=1))
     if write:
@@ -131,16 +134,18 @@ def study(rows, test, origin, write):
         print(f"written: {TABLE_PATH}")
 
 
-def fit_table(rows):
+def fit_table(rows, former=None):
     """Fit the logistic regression, the temperature and the widening of the intervals."""
     values = np.array([[row["features"][name] for name in USED] for row in rows])
     right = np.array([abs(row["error_deg"][0]) < RIGHT_DEG for row in rows])
     mean, spread = values.mean(axis=0), values.std(axis=0) + 1e-9
     standard = np.clip((values - mean) / spread, -LARGEST_STANDARD, LARGEST_STANDARD)
     sign = 2.0 * right - 1
+    centre = np.array([former["features"][name]["weight"] if former else 0.0 for name in USED])
 
     def loss(weight):
-        return np.logaddexp(0, -sign * (standard @ weight[1:] + weight[0])).sum() + PENALTY * weight[1:] @ weight[1:]
+        drawn = weight[1:] - centre
+        return np.logaddexp(0, -sign * (standard @ weight[1:] + weight[0])).sum() + PENALTY * drawn @ drawn
 
     weight = minimize(loss, np.zeros(len(USED) + 1)).x
     entries = {
