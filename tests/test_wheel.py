@@ -131,7 +131,7 @@ def beside_gdal(wheel, tmp_path_factory):
 def test_the_wheel_is_small_and_holds_the_core_alone(wheel):
     version = re.search(r"^version=(.+)$", (ROOT / "metadata.txt").read_text(encoding="utf-8"), re.MULTILINE).group(1)
     assert wheel.name == f"skyline_viewshed-{version}-py3-none-any.whl"
-    assert wheel.stat().st_size < 1e6
+    assert wheel.stat().st_size < 1.5e6  # the sky network alone is 0.74 MB
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
         metadata = archive.read(f"skyline_viewshed-{version}.dist-info/METADATA").decode()
