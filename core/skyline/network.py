@@ -154,7 +154,8 @@ def _run(values, layers):
     skips = []
     for level, steps in enumerate(STEPS_DOWN):
         for step in range(steps):
-            values = _rectified(_convolved(values, *layers[f"down{level}.{step}"], 1 if step else 2))
+            kernel, bias = layers[f"down{level}.{step}"]
+            values = _rectified(_convolved(values, kernel, bias, stride=1 if step else 2))
         skips.append(values)
     kernel, bias = layers["everywhere"]
     values = _rectified(values + (values.mean((0, 1)) @ kernel + bias))
