@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-PACKAGES="python3-scipy python3-pil python3-venv python3-pip qttools5-dev-tools git make"
+PACKAGES="python3-scipy python3-pil python3-venv python3-pip qttools5-dev-tools git make curl"
 # With SKYLINE_SYSTEM_QGIS=1 the machine has a QGIS already (a container of the QGIS project), which apt must not replace.
 if [ "${SKYLINE_SYSTEM_QGIS:-0}" != 1 ]; then
   PACKAGES="qgis python3-qgis python3-gdal gdal-bin python3-numpy $PACKAGES"
