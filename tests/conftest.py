@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parent.parent
 PLUGINS = ROOT / "build" / "plugins"
@@ -29,6 +30,10 @@ if not (PLUGINS / "skyline_viewshed").exists():
 if os.environ.get("SKYLINE_BARE") == "1":
     for module in BARE_MODULES:
         sys.modules[module] = None
+
+# A busy machine is no fault of the code: no test is timed.
+settings.register_profile("untimed", deadline=None)
+settings.load_profile("untimed")
 
 try:
     import qgis.core  # noqa: F401

@@ -22,6 +22,9 @@ from .whole_file import staged
 
 DRIVERS = {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".csv": "CSV"}
 OPTIONS = {"GeoJSON": ["RFC7946=YES", "WRITE_NAME=NO"]}
+WITHOUT_GEOMETRY = {"CSV"}
+"""Drivers whose layers take no geometry; from version 3.10 on GDAL refuses features that have one."""
+
 KINDS = {
     "text": ogr.OFTString,
     "real": ogr.OFTReal,
@@ -122,9 +125,9 @@ def write_points(path: str | os.PathLike, fields: list[FieldSpec], rows: Iterabl
     with staged(path) as folder, quiet_gdal() as messages:
         try:
             source = driver.CreateDataSource(str(folder / Path(path).name))
-            layer = source.CreateLayer(
-                Path(path).stem, spatial_reference(WGS84), ogr.wkbPoint25D, OPTIONS.get(driver.GetName(), [])
-            )
+            name = driver.GetName()
+            kind = ogr.wkbNone if name in WITHOUT_GEOMETRY else ogr.wkbPoint25D
+            layer = source.CreateLayer(Path(path).stem, spatial_reference(WGS84), kind, OPTIONS.get(name, []))
             _define(layer, fields)
             layer.StartTransaction()
             for row in rows:
@@ -154,7 +157,7 @@ def _add(layer: Any, row: PointRow) -> None:
             feature.SetField(name, value.year, value.month, value.day, value.hour, value.minute, float(value.second), 0)
         elif value is not None:
             feature.SetField(name, value)
-    if row.position is not None:
+    if row.position is not None and layer.GetGeomType() != ogr.wkbNone:
         point = ogr.Geometry(ogr.wkbPoint25D)
         point.AddPoint(*row.position)
         feature.SetGeometry(point)
