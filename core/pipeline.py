@@ -33,8 +33,9 @@ class OrientOptions:
     method : str
         'robust', or 'paper' for the published method, which has its own field of view, range and straight rays.
     compass : str
-        'ignore' never looks at the recorded heading, 'prior' takes it as a soft belief.
-    horizon, inner, eyes, skyline, robust : options of the robust method's stages
+        'ignore' never uses the recorded heading; 'prior' uses it as a soft prior.
+    horizon, inner, eyes, skyline, robust : HorizonOptions, InnerOptions, EyeOptions, SkylineOptions, RobustOptions
+        Options of the stages of the robust method.
     paper : PaperOptions
         Options of the published method.
     """
@@ -130,12 +131,12 @@ def cast_horizon(terrain, observer, options, progress=SILENT):
 
 
 class HorizonCache:
-    """The last horizons and the terrain below them, for photographs taken from one station.
+    """Cache of the last horizons and the terrain below them, for photographs taken from one station.
 
     Parameters
     ----------
     size : int
-        Stations kept; each takes about 4 MB.
+        Number of eyes kept; each takes about 4 MB. A station has up to five, at several elevations.
     """
 
     def __init__(self, size=16):
@@ -143,7 +144,7 @@ class HorizonCache:
         self._kept = OrderedDict()
 
     def profile(self, dem, observer, options, progress=SILENT):
-        """Give the observer's `HorizonProfile`, cast anew only where it is not among the last ones.
+        """Return the observer's `HorizonProfile`, computed only if it is not cached.
 
         Parameters
         ----------
@@ -155,18 +156,18 @@ class HorizonCache:
         return self._look_up(cast_horizon, dem, observer, options, progress)
 
     def inner(self, dem, observer, options, progress=SILENT):
-        """Give the `InnerTerrain` below the observer's horizon in the same way.
+        """Return the `InnerTerrain` below the observer's horizon in the same way.
 
         Parameters
         ----------
         dem, observer, progress
-            As `profile` takes them.
+            As for `profile`.
         options : InnerOptions
         """
         return self._look_up(inner_terrain, dem, observer, options, progress)
 
     def _look_up(self, compute, dem, observer, options, progress):
-        # A DEM equals itself only; as part of the key it stays alive as long as its results.
+        # A DEM is equal only to itself; as part of the key it stays alive as long as its results do.
         key = (compute, dem, observer, options)
         if key not in self._kept:
             self._kept[key] = compute(dem, observer, options, progress)
@@ -177,7 +178,7 @@ class HorizonCache:
 
 
 def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
-    """What the DEM shows from further elevations of the eye; nothing if the eye's elevation is given.
+    """Compute what the DEM shows from further elevations of the eye; none if the eye's elevation is given.
 
     Parameters
     ----------

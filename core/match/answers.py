@@ -83,7 +83,7 @@ class Answers:
         )
 
     def reordered(self, order):
-        """The same answers, with another one first."""
+        """Return the answers in another order, examined again for the new first one."""
         trials, eye, scale = self.trials[order], self.eye[order], self.scale[order]
         finding = examine(self.objectives, Fits(trials, eye, self.finding.score[order], scale), self.floor_deg)
         hint = None
@@ -113,7 +113,7 @@ class Fits:
     scale: np.ndarray
 
     def take(self, index):
-        """The same of some of the trials, in the order of `index`."""
+        """Return some of the fits, in the order of `index`."""
         return Fits(self.trials[index], self.eye[index], self.score[index], self.scale[index])
 
 

@@ -1,7 +1,7 @@
 """Assess the answers of a fit: the evidence for and against each one, and the probability that it is right.
 
-`examine` gathers a `Finding`, the quantities that separate right answers from wrong ones; `judge` turns it into
-probabilities by the calibration and the heading prior.
+`examine` gathers a `Finding`, the quantities that separate right answers from wrong ones; `answers.judge` turns it into
+probabilities.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def examine(objectives, fits, floor_deg):
 
     Parameters
     ----------
-    objectives : sequence of refine.Objective
+    objectives : sequence of Objective
         One for each hypothesis of the eye.
     fits : Fits
     floor_deg : float

@@ -19,7 +19,7 @@ from .prior import CameraPrior, HeadingPrior
 
 @dataclass(frozen=True, eq=False)
 class Eye:
-    """One hypothesis of the eye's elevation, and what the DEM shows from there.
+    """Hypothesis of the eye's elevation, with what the DEM shows from there.
 
     Attributes
     ----------

@@ -60,9 +60,9 @@ class RobustOptions:
     same_answer_deg : float
         Headings closer than this count as one answer [degrees].
     heading_floor_deg : float
-        Smallest standard deviation that a heading is credited with.
+        Lower limit of the standard deviation of a heading [degrees].
     second_misled : float
-        Probability that the inside of the picture misleads: bounds what it counts against the skyline.
+        Probability that the evidence from the inside of the picture is misleading; bounds its weight.
     """
 
     likelihood: LikelihoodOptions = field(default_factory=LikelihoodOptions)
