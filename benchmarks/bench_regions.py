@@ -3,7 +3,8 @@
 A region is one mountain range; `khumbu` and `khumbu-trek` are one. Only figures from regions that did not choose the
 method count. What is fitted (the skyline weights, the sky network, the calibration) is fitted on simulated pictures,
 on public pictures with sky labels and on the 30 masks, none of which is a photograph of a region here; so each row is
-measured with nothing fitted on its region, except the spread of the compass (`CompassOptions`). What a person chose with a region in sight is listed in docs/accuracy.md.
+measured with nothing fitted on its region, except the spread of the compass (`CompassOptions`). What a person chose
+with a region in sight is listed in docs/accuracy.md.
 Writes `build/regions-ignore.json` or `build/regions-prior.json`, by the use of the compass.
 """
 
