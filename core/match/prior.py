@@ -7,12 +7,52 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.angles import difference, wrap_360
-from ..base.camera import FOCAL_SIGMA, Camera, focal_from_35mm_px, focal_of_fov_px
+from ..base.camera import (
+    DOUBTFUL_FOCAL_SIGMA,
+    FOCAL_SIGMA,
+    ULTRA_WIDE_MM,
+    Camera,
+    focal_from_35mm_px,
+    focal_of_fov_px,
+)
 from ..base.errors import MissingMetadataError
 from ..base.messages import Message
 
 WIDE = 3.0
 """How many times as far the wide part of a heading prior's core spreads."""
+
+
+EFFECTIVE_COLUMNS = 15.0
+"""Number of independent groups of columns in a picture: what one unit of the mean score per column is worth in nats."""
+
+
+@dataclass(frozen=True)
+class RollPrior:
+    """Prior on the roll: Gaussian for small rolls, exponential for large ones (pseudo-Huber).
+
+    Most pictures are level to a few degrees, but a camera that is held freely may be off by 15.
+
+    Attributes
+    ----------
+    sigma_deg : float
+        Standard deviation of the Gaussian part [degrees].
+    tail : float
+        The exponential part begins at about this many standard deviations.
+    """
+
+    sigma_deg: float = 3.0
+    tail: float = 1.5
+
+    def cost(self, roll_deg):
+        """Negative log of the density relative to a level picture [nats]."""
+        return self.tail**2 * (self._stretch(roll_deg) - 1)
+
+    def stiffness(self, roll_deg):
+        """Slope of the cost over the roll: positive, and the curvature of the Gaussian at 0 [nats / degree^2]."""
+        return 1 / (self.sigma_deg**2 * self._stretch(roll_deg))
+
+    def _stretch(self, roll_deg):
+        return np.sqrt(1 + np.square(np.asarray(roll_deg, float) / (self.sigma_deg * self.tail)))
 
 
 @dataclass(frozen=True)
@@ -39,7 +79,7 @@ def camera_prior(metadata, hfov_deg=None):
     metadata : PhotoMetadata
     hfov_deg : float or None
         Horizontal field of view of the upright picture [degrees]. If None, the 35 mm equivalent is converted by the
-        diagonal rule, with the spread given in the metadata.
+        diagonal rule, with the spread given in the metadata, and a wider one for ultra-wide lenses.
 
     Raises
     ------
@@ -51,6 +91,8 @@ def camera_prior(metadata, hfov_deg=None):
         focal, sigma = focal_of_fov_px(width, hfov_deg), FOCAL_SIGMA
     elif metadata.focal_length_35mm is not None:
         focal, sigma = focal_from_35mm_px(width, height, metadata.focal_length_35mm), metadata.focal_sigma
+        if metadata.focal_length_35mm < ULTRA_WIDE_MM:
+            sigma = max(sigma, DOUBTFUL_FOCAL_SIGMA)
     else:
         raise MissingMetadataError(
             Message(

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..base.progress import SILENT, checkpoint
 from .geometry import horizon_rows, project_trials
+from .prior import EFFECTIVE_COLUMNS, RollPrior
 
 LANDMARK_PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
 """Steps of the numerical derivatives of landmarks, in the order of `geometry.PARAMETERS`."""
@@ -43,8 +44,9 @@ class RefineOptions:
         k above: the values from which the best is chosen for each candidate.
     effective_columns : float
         Number of independent column groups: 1 / L.
-    roll_sigma_deg, k1_sigma : float
-        Spreads of the Gaussian priors; 0 holds k1 at the camera's own value.
+    roll : RollPrior
+    k1_sigma : float
+        Spread of the Gaussian prior on k1; 0 holds it at the camera's own value.
     ground_slope : float
         Rise of the ground per metre, which shifts a crest up or down if the eye is displaced.
     iterations : int
@@ -54,8 +56,8 @@ class RefineOptions:
     terrain_error_cells: float = 0.25
     pixel_error_px: float = 2.0
     error_scales: tuple = (0.05, 0.15, 0.35, 0.7, 1.0, 1.5, 2.0, 3.0)
-    effective_columns: float = 15.0
-    roll_sigma_deg: float = 3.0
+    effective_columns: float = EFFECTIVE_COLUMNS
+    roll: RollPrior = RollPrior()
     k1_sigma: float = 0.0
     ground_slope: float = 0.5
     iterations: int = 8
@@ -87,7 +89,7 @@ class Objective:
         self.stack, self.camera, self.curve = stack, prior.camera, curve
         self.options, self.landmarks = options, tuple(landmarks)
         self.position_error_m = position_error_m
-        self.sigma = np.array([np.inf, np.inf, options.roll_sigma_deg, prior.focal_sigma, options.k1_sigma])
+        self.sigma = np.array([np.inf, np.inf, np.inf, prior.focal_sigma, options.k1_sigma])
         self.free = self.sigma > 0
         self._eye_error_m = options.ground_slope * position_error_m
         place = [(m.azimuth_deg, m.elevation_deg, m.x_px, m.y_px, m.sigma_px) for m in self.landmarks]
@@ -187,7 +189,7 @@ class Objective:
         return np.nan_to_num(np.clip(miss, -LARGEST_MISS, LARGEST_MISS), nan=LARGEST_MISS)
 
     def _penalty(self, trials):
-        total = 0.5 * np.square(trials[:, 2] / self.sigma[2])
+        total = self.options.roll.cost(trials[:, 2])
         for parameter in (3, 4):
             if self.free[parameter]:
                 total = total + 0.5 * np.square(trials[:, parameter] / self.sigma[parameter])
@@ -197,7 +199,9 @@ class Objective:
 
     def _penalty_derivatives(self, trials):
         pull, stiffness = np.zeros_like(trials), np.zeros((len(trials), 5, 5))
-        for parameter in (2, 3, 4):
+        stiffness[:, 2, 2] = self.options.roll.stiffness(trials[:, 2])
+        pull[:, 2] = trials[:, 2] * stiffness[:, 2, 2]
+        for parameter in (3, 4):
             if self.free[parameter]:
                 pull[:, parameter] = trials[:, parameter] / self.sigma[parameter] ** 2
                 stiffness[:, parameter, parameter] = 1 / self.sigma[parameter] ** 2

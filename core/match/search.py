@@ -16,6 +16,7 @@ from ..base import imaging
 from ..base.camera import Pose, project
 from ..base.progress import SILENT, checkpoint
 from .likelihood import EDGE_ROW
+from .prior import EFFECTIVE_COLUMNS, RollPrior
 
 ELEVATION_RANGE_DEG = (-60.0, 85.0)
 """Elevation angles of the raster; horizons from inside gorges rise above 50 degrees."""
@@ -40,6 +41,8 @@ class SearchOptions:
         Largest trial roll to either side [degrees]. The field of view and the tolerance determine the spacing of the
         trial rolls: in a wide picture, a roll between two trials that are too far apart would lift one side of the
         horizon and lower the other beyond the tolerance.
+    roll, effective_columns : RollPrior, float
+        As in `RefineOptions`: a large roll costs something here too, since it levels many a wrong horizon.
     keep, separation_deg : int, float
         Number of candidates returned, and the smallest distance between them [degrees].
     narrow_deg : float
@@ -51,7 +54,9 @@ class SearchOptions:
     step_deg: float = 0.4
     tolerance_deg: float = 0.3
     pitch_step_deg: float = 3.0
-    largest_roll_deg: float = 8.0
+    largest_roll_deg: float = 15.0
+    roll: RollPrior = RollPrior()
+    effective_columns: float = EFFECTIVE_COLUMNS
     keep: int = 60
     separation_deg: float = 2.0
     narrow_deg: float = 24.0
@@ -71,9 +76,9 @@ class SearchOptions:
         )
 
     def rolls_deg(self, hfov_deg):
-        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.5 tolerances (rms)."""
+        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.25 tolerances (rms)."""
         columns_rms_deg = hfov_deg / np.sqrt(12)
-        half_step = np.degrees(np.arctan(1.5 * self.tolerance_deg / columns_rms_deg))
+        half_step = np.degrees(np.arctan(1.25 * self.tolerance_deg / columns_rms_deg))
         count = max(int(np.ceil(self.largest_roll_deg / (2 * half_step))), 1)
         return np.linspace(-self.largest_roll_deg, self.largest_roll_deg, 2 * count + 1)
 
@@ -158,9 +163,9 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
     for index, pitch in enumerate(pitches):
         checkpoint(progress, index / len(pitches))
         for roll in options.rolls_deg(camera.hfov_deg):
-            trial = Pose(0.0, pitch, roll)
+            trial, cost = Pose(0.0, pitch, roll), options.roll.cost(roll) / options.effective_columns
             for one, found in zip(best, _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)):
-                one.add(trial, found)
+                one.add(trial, found, cost)
     return [one.result(options, belief) for one in best]
 
 
@@ -173,11 +178,11 @@ class _Best:
         self.score = np.full(count, -np.inf)
         self.pitch_deg, self.roll_deg = np.zeros(count), np.zeros(count)
 
-    def add(self, trial, found):
-        """Take the scores (shifts, N) around one trial, and their shifts of its pitch, where they are better."""
+    def add(self, trial, found, cost):
+        """Take the scores (shifts, N) around one trial less its cost, and their shifts of its pitch, where better."""
         scores, shifts = found
         winner = scores.argmax(axis=0)
-        top = scores[winner, np.arange(scores.shape[1])]
+        top = scores[winner, np.arange(scores.shape[1])] - cost
         better = top > self.score
         self.score[better] = top[better]
         self.pitch_deg[better] = trial.pitch_deg + shifts[winner[better]] * self.step_deg

@@ -62,6 +62,31 @@ def painted_sky(generator, shape):
     return sky * generator.uniform(0.85, 1.1) * (1 + generator.normal(0, 0.02, 3))
 
 
+def cumulus_sky(generator, shape):
+    """Broken cumulus before blue: lit tops, grey undersides, hard edges, (H, W, 3).
+
+    Seen against a dark blue their relief is as strong as that of rock and snow, above all where a telephone lifts
+    local contrast.
+    """
+    height, width = shape
+    sky = painted_sky(generator, shape)
+    across = generator.uniform(0.15, 0.6) * width
+    scale = across, across * generator.uniform(0.3, 0.8)
+    billows = 0.8 - np.abs(fractal(generator, shape, scale, 0.6))
+    thickness = fractal(generator, shape, (scale[0] * 2, scale[1] * 2)) + 0.8 * billows + generator.uniform(-0.7, 0.9)
+    cover = np.clip(thickness * generator.uniform(2, 8), 0, 1)
+    deep = cv2.GaussianBlur(np.maximum(thickness, 0), (0, 0), max(0.6, scale[1] / 12))
+    sun = generator.normal(0, 0.6), -1.0  # the light comes from above, a little from one side
+    slope = np.gradient(cv2.GaussianBlur(thickness, (0, 0), max(0.6, scale[1] / 30)))
+    lit = slope[1] * sun[0] - slope[0] * sun[1]
+    lit = lit / (lit.std() + 1e-6)
+    bright, dark = generator.uniform(190, 255), generator.uniform(60, 170)
+    shade = np.clip(deep * generator.uniform(0.2, 0.9) - generator.uniform(0.05, 0.3) * lit, 0, 1)
+    cloud = (bright + (dark - bright) * shade)[..., None] * (1 + generator.normal(0, 0.015, 3))
+    cloud = cloud + np.array([-4, 0, 6]) * shade[..., None]  # shadows are lit by the blue sky
+    return np.clip(sky * (1 - cover[..., None]) + cloud * cover[..., None], 0, 255)
+
+
 def replace_sky(generator, image, label, patches):
     """Set another sky, from a photograph or painted, behind the terrain."""
     height, width = label.shape
@@ -70,10 +95,16 @@ def replace_sky(generator, image, label, patches):
     share = np.clip(cv2.GaussianBlur(open_sky.astype(np.float32), (0, 0), generator.uniform(0.4, 1.0)), 0, 1)
     rows = np.flatnonzero((label == SKY).any(1))
     depth = max(8, min(height, rows[-1] + 3))
-    if generator.random() < 0.25:
+    kind = generator.random()
+    if kind < 0.2:
         new = painted_sky(generator, (depth, width))
+    elif kind < 0.4:
+        new = cumulus_sky(generator, (depth, width))
     else:
         new = _cut(generator, patches[generator.integers(len(patches))], depth, width)
+    if generator.random() < 0.25:  # clouds with the contrast of a telephone's tone mapping
+        smooth = cv2.GaussianBlur(new, (0, 0), generator.uniform(0.05, 0.3) * min(depth, width))
+        new = smooth + (new - smooth) * generator.uniform(1, 3)
     if generator.random() < 0.6:  # the terrain's light follows the new sky a little
         old_mean, new_mean = image[label == SKY].mean(0), new.reshape(-1, 3).mean(0)
         image = image * np.clip((new_mean + 30) / (old_mean + 30), 0.5, 1.6) ** generator.uniform(0.2, 0.8)

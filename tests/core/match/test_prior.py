@@ -2,8 +2,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from skyline_viewshed.core.base.camera import FOCAL_SIGMA
 from skyline_viewshed.core.base.model import PhotoMetadata
-from skyline_viewshed.core.match.prior import CompassOptions, HeadingPrior, compass_prior, log_ratio, true_heading_deg
+from skyline_viewshed.core.match.prior import (
+    CompassOptions,
+    HeadingPrior,
+    RollPrior,
+    camera_prior,
+    compass_prior,
+    log_ratio,
+    true_heading_deg,
+)
 
 
 def test_the_density_integrates_to_one_over_the_circle():
@@ -62,3 +71,18 @@ def test_the_wide_part_of_the_core_counts_in_its_spread():
     assert HeadingPrior(10.0, 5.0, wide_share=0.3).spread_deg == pytest.approx(5 * np.sqrt(0.7 + 0.3 * 9))
     near, wide = (log_ratio(HeadingPrior(10.0, 5.0, wide_share=share), 35.0) for share in (0.0, 0.3))
     assert wide > near
+
+
+def test_a_small_roll_costs_as_much_as_a_gaussian_and_a_large_one_less():
+    prior = RollPrior()
+    rolls_deg = np.array([0.0, 1.0, -1.0, 15.0])
+    cost, gaussian = prior.cost(rolls_deg), 0.5 * np.square(rolls_deg / prior.sigma_deg)
+    assert cost[0] == 0 and cost[1] == cost[2] == pytest.approx(gaussian[1], rel=0.05)
+    assert 0.3 * gaussian[3] < cost[3] < 0.6 * gaussian[3]
+
+
+def test_only_ultra_wide_lenses_have_a_wider_spread_of_the_focal_length():
+    spread = {
+        mm: camera_prior(PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=mm)).focal_sigma for mm in (13, 18, 26)
+    }
+    assert spread[13] > spread[18] == spread[26] == FOCAL_SIGMA

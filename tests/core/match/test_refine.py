@@ -35,9 +35,10 @@ def test_held_parameters_stay(match_scenes):
     assert (moved[:, 1] != starts[:, 1]).all()
 
 
-def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_scenes):
+@pytest.mark.parametrize("roll_deg", [2.0, -13.0])
+def test_the_gradient_is_that_of_the_penalties_where_there_is_no_evidence(match_scenes, roll_deg):
     objective = match_scenes.scene(8).objective()
-    trial = np.array([[10.0, 70.0, 2.0, 0.01, 0.0]])  # looks into the sky: the horizon is out of the frame
+    trial = np.array([[10.0, 70.0, roll_deg, 0.01, 0.0]])  # looks into the sky: the horizon is out of the frame
     _, gradient, _ = objective.expand(trial, 1.0, 4)
     step = 1e-5
     for parameter in (2, 3):

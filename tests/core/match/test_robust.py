@@ -79,6 +79,14 @@ def test_an_answer_in_its_place_is_not_lost_to_a_wide_tolerance_that_pulls_it_aw
     assert miss(solve(scene), 211.0) < 0.2
 
 
+@pytest.mark.parametrize("roll_deg", [-13.0, 10.0])
+def test_a_rolled_picture_gives_the_pose(match_scenes, roll_deg):
+    found = match_robust(match_scenes.scene(3, 250.0, 4.0, roll_deg).inputs())
+    assert found.status == "accepted"
+    assert abs(found.best.pose.heading_deg - 250.0) < 0.2
+    assert abs(found.best.pose.roll_deg - roll_deg) < 0.5
+
+
 def test_the_interval_holds_the_truth_and_runs_clockwise(match_scenes):
     found = solve(match_scenes.scene(3, 0.05))
     assert (0.05 - found.heading_lo_deg) % 360 <= width_of(found)
