@@ -144,6 +144,8 @@ def _orient(request, photo, dem, options, cache, progress):
     prior = camera_prior(metadata, request.hfov_deg)
     compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
     hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
+    if hints.heading is None:
+        hints = replace(hints, recorded_heading_deg=compass)
     horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
     error = request.position_error_m
     if error is None and not given:

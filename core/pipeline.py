@@ -74,11 +74,14 @@ class Hints:
         Pixels of the full picture with the direction of their map points.
     evidence : SkylineEvidence or None
         Evidence from a drawn skyline or a sky mask; it replaces the extraction.
+    recorded_heading_deg : float or None
+        True compass heading that takes no part in the match, but may cast doubt on its result [degrees].
     """
 
     heading: HeadingPrior | None = None
     landmarks: tuple = ()
     evidence: SkylineEvidence | None = None
+    recorded_heading_deg: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -278,16 +281,8 @@ def _robustly(photo, setting, options, progress):
         # between answers.
         evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
         robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
-    inputs = MatchInputs(
-        evidence,
-        setting.prior,
-        setting.horizon,
-        hints.heading,
-        hints.landmarks,
-        setting.position_error_m,
-        setting.inner,
-        setting.other_eyes,
-    )
+    known = hints.heading, hints.landmarks, setting.position_error_m, setting.inner, setting.other_eyes
+    inputs = MatchInputs(evidence, setting.prior, setting.horizon, *known, hints.recorded_heading_deg)
     orientation = match_robust(inputs, robust, subtask(progress, 0.4, 1.0))
     return orientation, evidence.rival if orientation.behind else evidence
 

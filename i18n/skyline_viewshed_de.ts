@@ -3705,6 +3705,16 @@
         <translation>Die Anpassung ist schwach. Prüfen Sie die Überlagerung, oder geben Sie eine ungefähre Blickrichtung, eine Landmarke oder eine Himmelsmaske an.</translation>
     </message>
     <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The DEM horizon does not follow the skyline that was found in the picture. Check the overlay, or give a sky mask, a drawn skyline or an approximate heading.</source>
+        <translation>Der Horizont des DGM folgt nicht der im Bild gefundenen Horizontlinie. Prüfen Sie die Überlagerung, oder geben Sie eine Himmelsmaske, eine gezeichnete Horizontlinie oder eine ungefähre Blickrichtung an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
+        <translation>Der Kompass des Fotos zeigt {heading} Grad; das widerspricht der gefundenen Blickrichtung. Prüfen Sie die Überlagerung, lassen Sie den Kompass mitwirken, oder geben Sie eine ungefähre Blickrichtung an.</translation>
+    </message>
+    <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
@@ -3718,6 +3728,11 @@
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>Nach dem DGM ist die deutlichste Linie im Bild ein naher Grat; als Horizontlinie wurde die schwächere Linie dahinter verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
+        <translation>Der Kompass des Fotos zeigt {heading} Grad; er wurde nicht berücksichtigt. Lassen Sie ihn mitwirken, wenn Sie ihm vertrauen.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>

@@ -3705,6 +3705,16 @@
         <translation>El ajuste es débil. Compruebe la superposición, o dé un rumbo aproximado, un punto de referencia o una máscara del cielo.</translation>
     </message>
     <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The DEM horizon does not follow the skyline that was found in the picture. Check the overlay, or give a sky mask, a drawn skyline or an approximate heading.</source>
+        <translation>El horizonte del MDE no sigue la línea del horizonte hallada en la imagen. Compruebe la superposición, o indique una máscara del cielo, una línea del horizonte dibujada o un rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
+        <translation>La brújula de la foto indica {heading} grados, lo que contradice el rumbo hallado. Compruebe la superposición, deje que la brújula intervenga o indique un rumbo aproximado.</translation>
+    </message>
+    <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
@@ -3718,6 +3728,11 @@
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>Según el MDE, la línea más marcada de la imagen es una cresta cercana; como línea del horizonte se usó la más débil que hay detrás.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
+        <translation>La brújula de la foto indica {heading} grados; no se ha tenido en cuenta. Deje que intervenga si confía en ella.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>

@@ -3705,6 +3705,16 @@
         <translation>L'ajustement est faible. Vérifiez la superposition, ou donnez un azimut approché, un point de repère ou un masque de ciel.</translation>
     </message>
     <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The DEM horizon does not follow the skyline that was found in the picture. Check the overlay, or give a sky mask, a drawn skyline or an approximate heading.</source>
+        <translation>L'horizon du MNT ne suit pas la ligne d'horizon trouvée dans l'image. Vérifiez la superposition, ou indiquez un masque du ciel, une ligne d'horizon dessinée ou un azimut approximatif.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/posterior.py"/>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
+        <translation>La boussole de la photo indique {heading} degrés, ce qui contredit l'azimut trouvé. Vérifiez la superposition, laissez la boussole intervenir ou indiquez un azimut approximatif.</translation>
+    </message>
+    <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
@@ -3718,6 +3728,11 @@
         <location filename="../core/match/robust.py"/>
         <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
         <translation>D'après le MNT, la ligne la plus nette de l'image est une crête proche ; la ligne plus faible derrière elle a été utilisée comme ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/robust.py"/>
+        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
+        <translation>La boussole de la photo indique {heading} degrés ; elle n'a pas été prise en compte. Laissez-la intervenir si vous lui faites confiance.</translation>
     </message>
     <message>
         <location filename="../core/match/robust.py"/>

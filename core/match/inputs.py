@@ -57,6 +57,8 @@ class MatchInputs:
         Crests and ground below the horizon, for second evidence.
     other_eyes : tuple of Eye
         Further hypotheses of the eye's elevation; see `eye_offsets_m`.
+    recorded_heading_deg : float or None
+        True compass heading that takes no part in the match, but may cast doubt on its result [degrees].
     """
 
     evidence: SkylineEvidence
@@ -67,6 +69,7 @@ class MatchInputs:
     position_error_m: float = TYPICAL_POSITION_ERROR_M
     inner: object | None = None
     other_eyes: tuple = ()
+    recorded_heading_deg: float | None = None
 
     @property
     def eyes(self):

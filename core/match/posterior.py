@@ -16,7 +16,7 @@ import numpy as np
 
 from ..base.angles import difference, wrap_360
 from ..base.messages import Message
-from .prior import log_ratio
+from .prior import compass_prior, log_ratio
 
 TABLE_PATH = Path(__file__).with_name("calibration.json")
 LARGEST_STANDARD = 3.0
@@ -35,11 +35,18 @@ class PosteriorOptions:
         p_correct below which the answer is rejected.
     min_relief_deg : float
         A horizon flatter than this inside the frame cannot be matched.
+    least_ncc : float
+        Smallest correlation of the horizon with the extracted skyline of an accepted answer.
+    compass_limit_deg : float
+        An accepted answer that differs by more than this from a recorded compass heading must be so certain that it
+        would be accepted if the compass took part [degrees].
     """
 
     accept_at: float = 0.85
     reject_below: float = 0.1
     min_relief_deg: float = 0.1
+    least_ncc: float = 0.3
+    compass_limit_deg: float = 30.0
 
 
 @lru_cache(maxsize=1)
@@ -180,4 +187,43 @@ def verdict(finding, probability, options=PosteriorOptions(), has_landmarks=Fals
         )
     return "ambiguous", Message(
         "The fit is weak. Check the overlay, or give an approximate heading, a landmark or a sky mask."
+    )
+
+
+def doubt(candidates, ncc, recorded_heading_deg, options=PosteriorOptions()):  # noqa: B008 - frozen
+    """Tell what a person would object to an accepted answer at first sight.
+
+    Parameters
+    ----------
+    candidates : sequence of Candidate
+        Best first, with their probabilities.
+    ncc : float or None
+        Correlation of the best answer's horizon with the extracted skyline.
+    recorded_heading_deg : float or None
+        True compass heading [degrees].
+    options : PosteriorOptions
+
+    Returns
+    -------
+    Message or None
+        The objection, and what to do.
+    """
+    if ncc is not None and ncc < options.least_ncc:
+        return Message(
+            "The DEM horizon does not follow the skyline that was found in the picture. Check the overlay, or give a "
+            "sky mask, a drawn skyline or an approximate heading."
+        )
+    compass = compass_prior(recorded_heading_deg)
+    if compass is None:
+        return None
+    heading_deg = np.array([candidate.pose.heading_deg for candidate in candidates])
+    if abs(difference(heading_deg[0], recorded_heading_deg)) <= options.compass_limit_deg:
+        return None
+    probability = np.array([candidate.probability for candidate in candidates])
+    if weigh(probability, heading_deg, compass)[0] >= options.accept_at:
+        return None
+    return Message(
+        "The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the "
+        "compass take part, or give an approximate heading.",
+        heading=f"{recorded_heading_deg:.0f}",
     )

@@ -22,7 +22,7 @@ from .ground import GroundMatchOptions
 from .inner import InnerEvidence
 from .landmarks import landmark_notes, scale_landmarks, starting_pose
 from .likelihood import EDGE_ROW, EvidenceStack, LikelihoodOptions
-from .posterior import PosteriorOptions, interval, table, verdict
+from .posterior import PosteriorOptions, doubt, interval, table, verdict
 from .prior import log_ratio
 from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
@@ -103,17 +103,22 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     evidence = inputs.evidence.rival if behind else inputs.evidence
     answers, probability, status = found.answers, found.probability, found.status
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
-    # For an accepted answer the interval gives only its precision; p_correct gives its certainty.
-    lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     candidates = tuple(
         Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
         for trial, value, share in zip(trials, score, probability)
     )
     residual, ncc = _skyline_residual(answers.objective, trials[:1], evidence, full)
+    objection = None
+    if status == "accepted" and not landmarks:
+        objection = doubt(candidates, ncc, inputs.recorded_heading_deg, options.posterior)
+    if objection:
+        status = "ambiguous"
+    # For an accepted answer the interval gives only its precision; p_correct gives its certainty.
+    lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
     _, second = _skyline_residual(answers.objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
     return Orientation(
         status,
-        found.message,
+        objection or found.message,
         candidates,
         heading_lo_deg=lo,
         heading_hi_deg=hi,
@@ -126,7 +131,8 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         residual_px=residual,
         notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose)
         + _edge_notes(answers)
-        + ((BEHIND_NOTE,) if behind else ()),
+        + ((BEHIND_NOTE,) if behind else ())
+        + _compass_note(status, objection, inputs.recorded_heading_deg),
         behind=behind,
         eye=int(answers.eye[0]),
     )
@@ -166,6 +172,17 @@ def _judged(inputs, options, progress):
         answers.finding, np.concatenate([[right], probability[1:]]), options.posterior, bool(inputs.landmarks)
     )
     return Judged(answers, probability, right, *says)
+
+
+def _compass_note(status, objection, recorded_heading_deg):
+    """Note that a compass heading might decide what the picture leaves open, unless the message says so already."""
+    if status == "accepted" or objection or recorded_heading_deg is None:
+        return ()
+    note = Message(
+        "The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.",
+        heading=f"{recorded_heading_deg:.0f}",
+    )
+    return (note,)
 
 
 def _edge_notes(answers):

@@ -38,17 +38,15 @@ class SearchOptions:
     pitch_step_deg : float
         Pitch between resamplings; smaller changes of pitch are shifts of the raster [degrees].
     largest_roll_deg : float
-        Largest trial roll to either side [degrees]. The field of view and the tolerance determine the spacing of the
-        trial rolls: in a wide picture, a roll between two trials that are too far apart would lift one side of the
-        horizon and lower the other beyond the tolerance.
+        Largest trial roll to either side [degrees]; the field of view determines their spacing (`rolls_deg`).
     roll, effective_columns : RollPrior, float
-        As in `RefineOptions`: a large roll costs something here too, since it levels many a wrong horizon.
+        As in `RefineOptions`.
     keep, separation_deg : int, float
         Number of candidates returned, and the smallest distance between them [degrees].
     narrow_deg : float
-        Fields of view below this, and skylines whose relief is below a step, are searched at half the step, with more
-        and closer candidates: they span few steps, and if a rival is missed, a wrong answer looks certain. If the
-        relief is below half a step, as over the sea, the search uses a quarter of the step.
+        Fields of view below this, and skylines whose relief is below a step, are searched at half the step (a quarter
+        if the relief is below half a step, as over the sea) with more and closer candidates: they span few steps, and
+        if a rival is missed, a wrong answer looks certain.
     """
 
     step_deg: float = 0.4
@@ -76,7 +74,10 @@ class SearchOptions:
         )
 
     def rolls_deg(self, hfov_deg):
-        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.25 tolerances (rms)."""
+        """Trial rolls for a picture's field of view: half a step tilts the skyline by about 1.25 tolerances (rms).
+
+        Between trials farther apart, one side of a wide horizon would rise and the other sink beyond the tolerance.
+        """
         columns_rms_deg = hfov_deg / np.sqrt(12)
         half_step = np.degrees(np.arctan(1.25 * self.tolerance_deg / columns_rms_deg))
         count = max(int(np.ceil(self.largest_roll_deg / (2 * half_step))), 1)
@@ -93,12 +94,10 @@ class CoarseResult:
 
     Attributes
     ----------
-    heading_deg, score : (N,) arrays
-        Best score over pitch and roll for every heading of the grid.
+    heading_deg, score, pitch_deg, roll_deg : (N,) arrays
+        Best score over pitch and roll for every heading of the grid, and its pitch and roll [degrees].
     candidates : (K, 3) array
         Heading, pitch, roll of distinct peaks, best first [degrees].
-    pitch_deg, roll_deg : (N,) arrays
-        Pitch and roll of the best score at every heading [degrees].
     """
 
     heading_deg: np.ndarray
@@ -119,7 +118,7 @@ class DrawnHorizon:
     held_rows : tuple of int
         First and last row that hold any of the line.
     step_deg : float
-        Step of the raster in azimuth and elevation [degrees].
+        As in `SearchOptions`.
     """
 
     spectrum: np.ndarray
@@ -133,11 +132,10 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
     Parameters
     ----------
     stack : EvidenceStack
-        Its probabilities also determine which pitches are tried.
     camera : Camera
         Of the reduced picture.
     curves : sequence of HorizonCurve
-        One for each hypothesis of the eye; the picture is resampled once for all of them.
+        One for each hypothesis of the eye.
     options : SearchOptions
     belief : callable or None
         Takes headings (N,) [degrees] and returns what is added to their scores when the candidates are chosen; the
@@ -146,8 +144,7 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
 
     Returns
     -------
-    list of CoarseResult
-        One for each horizon.
+    list of CoarseResult, one for each horizon
     """
     step = options.step_deg
     heading = np.arange(int(round(360 / step))) * step
@@ -174,8 +171,7 @@ class _Best:
 
     def __init__(self, heading_deg):
         self.heading_deg, count = heading_deg, len(heading_deg)
-        self.step_deg = heading_deg[1] - heading_deg[0]
-        self.score = np.full(count, -np.inf)
+        self.step_deg, self.score = heading_deg[1] - heading_deg[0], np.full(count, -np.inf)
         self.pitch_deg, self.roll_deg = np.zeros(count), np.zeros(count)
 
     def add(self, trial, found, cost):

@@ -2,9 +2,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from skyline_viewshed.core.base.camera import Camera, Pose
+from skyline_viewshed.core.base.model import Candidate
 from skyline_viewshed.core.match.finding import Finding
 from skyline_viewshed.core.match.posterior import (
     answer_probabilities,
+    doubt,
     features,
     interval,
     p_correct,
@@ -111,3 +114,20 @@ def test_of_equal_answers_none_is_surer_than_its_share(answers, score, relief):
     """Whatever the picture's other qualities: n twins are right one time in n."""
     twins = finding(np.arange(answers) * 60.0, np.full(answers, score), np.full(answers, 0.2), relief)
     assert p_correct(twins) <= 1 / answers + 1e-9
+
+
+def answer(heading_deg, probability):
+    return Candidate(Pose(heading_deg), Camera(400, 300, 400.0), 3.0, probability)
+
+
+def test_an_answer_that_does_not_follow_the_skyline_is_doubted():
+    assert "skyline" in doubt([answer(10.0, 0.99)], 0.1, None)
+    assert doubt([answer(10.0, 0.99)], 0.6, None) is None
+    assert doubt([answer(10.0, 0.99)], None, None) is None
+
+
+def test_a_compass_that_contradicts_raises_a_doubt_unless_the_picture_is_very_certain():
+    assert "190 degrees" in doubt([answer(10.0, 0.9)], 0.9, 190.4)
+    assert doubt([answer(10.0, 0.998)], 0.9, 190.4) is None
+    assert doubt([answer(10.0, 0.9)], 0.9, 352.0) is None
+    assert doubt([answer(10.0, 0.9)], 0.9, None) is None

@@ -128,6 +128,23 @@ def test_a_prior_decides_between_twins_and_may_be_far_off_elsewhere(match_scenes
     assert miss(solve(scene, heading_prior=HeadingPrior(250.0, 10.0)), 100.0) < 1
 
 
+def test_a_compass_that_takes_no_part_is_offered_where_the_picture_leaves_the_heading_open(match_scenes):
+    scene, twin = twins(match_scenes)
+    assert any("110 degrees" in note for note in solve(twin, recorded_heading_deg=110.0).notes)
+    clear = solve(scene, recorded_heading_deg=110.0)
+    assert clear.status == "accepted" and not clear.notes
+
+
+def test_an_answer_across_a_skyline_that_says_otherwise_is_not_accepted(match_scenes):
+    """The same probabilities, but the line drawn through them runs against the horizon."""
+    scene = match_scenes.scene(5)
+    upside_down = replace(scene.evidence.best, row_px=scene.evidence.best.row_px.max() - scene.evidence.best.row_px)
+    found = solve(replace(scene, evidence=replace(scene.evidence, best=upside_down)))
+    assert solve(scene).status == "accepted"
+    assert found.status == "ambiguous" and "does not follow the skyline" in found.message
+    assert found.best == solve(scene).best
+
+
 def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
     scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
     found = solve(noisy(scene, 1), landmarks=marks_at(scene, (210.0, 5.0), (236.0, 8.0)))
