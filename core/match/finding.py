@@ -36,6 +36,8 @@ class Finding:
         Mean over the columns of the probability near each column's likeliest row: how concentrated the evidence is.
     hfov_deg : float
         Horizontal field of view [degrees].
+    horizon_cells : float
+        Cells of the DEM, at the median distance of the horizon, that lie side by side across the frame.
     """
 
     heading_deg: np.ndarray
@@ -47,6 +49,7 @@ class Finding:
     terrain_px: float = 1.0
     sureness: float = 0.5
     hfov_deg: float = 45.0
+    horizon_cells: float = np.inf
 
     @property
     def gap(self):
@@ -88,6 +91,7 @@ def examine(objectives, fits, floor_deg):
         float(np.median(tolerance)),
         _sureness(probability[:, columns], likeliest),
         objective.camera.hfov_deg,
+        _cells_across(objective, trials[:1]),
     )
 
 
@@ -115,11 +119,21 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     free = np.flatnonzero(objective.free)
     information = curvature[np.ix_(range(len(trials)), free, free)] * objective.options.effective_columns
     covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
-    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trials, objective.columns(4))
-    distance = np.median(objective.curve.distance_m[objective.curve.nearest(azimuth)], axis=1)
+    distance = _median_distance_m(objective, trials)
     terrain = np.degrees(scale * objective.options.terrain_error_cells * objective.curve.cell_m / distance)
     shift = np.degrees(position_error_m / distance)
     return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
+
+
+def _median_distance_m(objective, trials):
+    """Median distance (K,) of the horizon inside the frame, for each trial [m]."""
+    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trials, objective.columns(4))
+    return np.median(objective.curve.distance_m[objective.curve.nearest(azimuth)], axis=1)
+
+
+def _cells_across(objective, trial):
+    distance = float(_median_distance_m(objective, trial)[0])
+    return np.radians(objective.camera.hfov_deg) * distance / objective.curve.cell_m
 
 
 def relief_px(columns, row):

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -114,6 +116,14 @@ def test_of_equal_answers_none_is_surer_than_its_share(answers, score, relief):
     """Whatever the picture's other qualities: n twins are right one time in n."""
     twins = finding(np.arange(answers) * 60.0, np.full(answers, score), np.full(answers, 0.2), relief)
     assert p_correct(twins) <= 1 / answers + 1e-9
+
+
+def test_a_horizon_of_few_cells_of_the_dem_is_believed_less():
+    far = finding()
+    shares = [p_correct(replace(far, horizon_cells=cells)) / p_correct(far) for cells in (2.0, 4.0, 20.0, 200.0)]
+    assert shares == sorted(shares)
+    assert shares[1] == pytest.approx(0.5)
+    assert shares[3] > 0.999
 
 
 def answer(heading_deg, probability):
