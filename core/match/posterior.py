@@ -22,8 +22,8 @@ TABLE_PATH = Path(__file__).with_name("calibration.json")
 LARGEST_STANDARD = 3.0
 """Features are clipped at this many standard deviations: values outside the fitted range add no certainty."""
 
-POSE_NUMBERS = 4.0
-"""Heading, pitch, roll and focal length: what a fit takes from a horizon."""
+POSE_NUMBERS = 3.0
+"""Heading, pitch and roll: what a fit takes from a horizon; the focal length is nearly known."""
 
 
 @dataclass(frozen=True)
@@ -76,8 +76,8 @@ def p_correct(finding, calibration=None):
     """Probability that the best answer is within 3 degrees of the truth.
 
     It is the value of the regression, but never more than the best answer's share of the likelihood among all answers:
-    whatever the other quantities are, each of two equal answers is right half the time. Near terrain is believed less:
-    a horizon that consists of few cells of the DEM has no more numbers than the pose that is fitted to it.
+    whatever the other quantities are, each of two equal answers is right half the time. Near terrain is believed less,
+    down to a half: a horizon of few cells of the DEM has no more numbers than the pose that is fitted to it.
     """
     calibration = calibration or table()
     values = features(finding)
@@ -86,7 +86,8 @@ def p_correct(finding, calibration=None):
         standard = (values[name] - entry["mean"]) / entry["spread"]
         total += entry["weight"] * float(np.clip(standard, -LARGEST_STANDARD, LARGEST_STANDARD))
     believed = min(1 / (1 + np.exp(-total)), likelihood_share(finding.score, calibration["temperature"]))
-    return float(believed / (1 + (POSE_NUMBERS / finding.horizon_cells) ** 2))
+    resolved = 1 / (1 + (POSE_NUMBERS / finding.horizon_cells) ** 2)
+    return float(believed * (1 + resolved) / 2)
 
 
 def likelihood_share(score, temperature):

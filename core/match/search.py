@@ -138,8 +138,7 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
         One for each hypothesis of the eye.
     options : SearchOptions
     belief : callable or None
-        Takes headings (N,) [degrees] and returns what is added to their scores when the candidates are chosen; the
-        scores returned by the search come from the picture alone.
+        Headings (N,) [degrees] -> what is added to their scores when candidates are chosen, and only then.
     progress : Progress
 
     Returns
@@ -161,8 +160,9 @@ def coarse_search(stack, camera, curves, options=SearchOptions(), belief=None, p
         checkpoint(progress, index / len(pitches))
         for roll in options.rolls_deg(camera.hfov_deg):
             trial, cost = Pose(0.0, pitch, roll), options.roll.cost(roll) / options.effective_columns
-            for one, found in zip(best, _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)):
-                one.add(trial, found, cost)
+            found = _correlate(evidence, camera, trial, drawn, options.pitch_step_deg)
+            for one, (scores, shifts) in zip(best, found):
+                one.add(trial, (scores - cost, shifts))
     return [one.result(options, belief) for one in best]
 
 
@@ -174,11 +174,11 @@ class _Best:
         self.step_deg, self.score = heading_deg[1] - heading_deg[0], np.full(count, -np.inf)
         self.pitch_deg, self.roll_deg = np.zeros(count), np.zeros(count)
 
-    def add(self, trial, found, cost):
-        """Take the scores (shifts, N) around one trial less its cost, and their shifts of its pitch, where better."""
+    def add(self, trial, found):
+        """Take the scores (shifts, N) around one trial, and their shifts of its pitch, where they are better."""
         scores, shifts = found
         winner = scores.argmax(axis=0)
-        top = scores[winner, np.arange(scores.shape[1])] - cost
+        top = scores[winner, np.arange(scores.shape[1])]
         better = top > self.score
         self.score[better] = top[better]
         self.pitch_deg[better] = trial.pitch_deg + shifts[winner[better]] * self.step_deg

@@ -96,7 +96,7 @@ class SkylineOptions:
     seam_cost_per_px: float = 0.5
     weights: dict | None = None
     use_network: bool = True
-    network_softness: float = 64.0
+    network_softness: float = 6.0
 
     def __post_init__(self):
         if self.work_px < 64 or self.colour_passes < 1:
