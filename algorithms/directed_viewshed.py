@@ -15,6 +15,7 @@ from .shared.layers import number_column, points_fault, read_points
 from .shared.photo_points import INTERVAL_FIELDS, POSE_FIELDS, PoseReading, photo_point
 from .shared.result_figures import ResultFigures, figures_out, stations_of
 from .shared.skyline_limits import add_table_parameters, table_fault, with_table
+from .shared.statuses import relied_on
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
@@ -93,6 +94,7 @@ class DirectedViewshed(DemAlgorithm):
         )
         for parameter in interval_parameters():
             self.addParameter(shared.advanced(parameter))
+        self.addParameter(shared.statuses())
         self.addParameter(shared.sector())
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         add_range_parameters(self)
@@ -148,10 +150,12 @@ class DirectedViewshed(DemAlgorithm):
     def compute(self, parameters, context, feedback):
         """Compute photo by photo, then write."""
         _, rows = read_points(self, parameters, context, "INPUT", None, NUMBER_FIELDS)
+        kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
+        if kind != "full circle":  # which does not depend on the heading
+            rows = relied_on(self, parameters, context, feedback, rows)
         wanted = extra_options(self, parameters, context)
         reading = PoseReading(self.parameterAsDouble(parameters, "EYE_HEIGHT", context), wanted.uncertainty)
         points = with_table(self, parameters, context, [point_of(row, reading) for row in rows], feedback)
-        kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
         options, dem = viewshed_options(self, parameters, context), self.dem.open()
         folders = {name: self.parameterAsString(parameters, name, context) for name in ("RASTERS", "FIGURES")}
         outputs = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))

@@ -23,6 +23,7 @@ from .shared.layers import read_points
 from .shared.map_places import map_of_local
 from .shared.outputs import write_features
 from .shared.panorama_files import PanoramaFolder
+from .shared.statuses import relied_on
 from .shared.styling import style_on_completion
 from .shared.summit_input import Summitry, add_summit_parameters
 
@@ -75,6 +76,7 @@ class Panorama(DemAlgorithm):
             )
         )
         self.addParameter(photos)
+        self.addParameter(shared.statuses())
         step = shared.number(
             "AZIMUTH_STEP", tr("Azimuth step (°)"), defaults.step_deg, tr("Angle between neighbouring rays."), 0.02, 5.0
         )
@@ -109,7 +111,8 @@ class Panorama(DemAlgorithm):
         terrain = self.dem.open()
         options = self._options(parameters, context)
         summits = Summitry(self, parameters, context, terrain, self.dem.crs)
-        folder = PanoramaFolder(self, parameters, context, terrain, summits)
+        photos = self._photos(parameters, context, feedback)
+        folder = PanoramaFolder(self, parameters, context, terrain, summits, photos)
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)
         ridges, progress = [], FeedbackProgress(feedback)
         for index, row in enumerate(rows):
@@ -141,6 +144,12 @@ class Panorama(DemAlgorithm):
             )
             style_on_completion(context, results["OUTPUT"], "ridges", tr("Ridges in view"), specs, self.displayName())
         return results
+
+    def _photos(self, parameters, context, feedback):
+        """Points of the photos whose frames are drawn."""
+        if is_null(parameters.get("PHOTOS")):
+            return []
+        return relied_on(self, parameters, context, feedback, read_points(self, parameters, context, "PHOTOS")[1])
 
     def _options(self, parameters, context):
         return PanoramaOptions(

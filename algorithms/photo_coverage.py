@@ -116,7 +116,7 @@ class PhotoCoverage(DemAlgorithm):
         opening = Opening(reach, (0.0, 0.05), pixels=False)
         photos = list(open_views(self, parameters, context, feedback, terrain, opening))
         if not photos:
-            raise QgsProcessingException(tr("None of the points is an oriented photo on this DEM."))
+            raise QgsProcessingException(tr("None of the points is an oriented photo of a chosen status on this DEM."))
         geometries = self._area(parameters, context)
         window = coverage_window(terrain, photos, reach, geometries)
         coverage = Coverage(window, area_mask(terrain, window, geometries))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessing, QgsProcessingOutputNumber, QgsProcessingParameterBoolean
 
 from ..core.base.progress import subtask
+from ..core.base.status import RELIABLE
 from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.elevation import dem_fault
@@ -30,6 +31,7 @@ from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.result_figures import ResultFigures, figures_out, stations_of
 from .shared.skyline_limits import add_own_parameters, with_own
+from .shared.statuses import tell_withheld
 from .shared.styling import style_on_completion
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
@@ -193,6 +195,8 @@ class PhotoViewshed(DemAlgorithm):
                 facts, panels = ground.add(point, viewshed, more), figures.draw(point, viewshed, oriented.preview)
                 report.add(oriented, facts, panels)
             feedback.pushInfo(summary(statuses))
+            if not self._doubtful(parameters, context, options.method):
+                tell_withheld(feedback, statuses, len(ground.rows))
             outputs = self._write(parameters, context, feedback, photos, features, ground)
         counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
         written = {name: folder for name, folder in folders.items() if folder}
@@ -209,13 +213,17 @@ class PhotoViewshed(DemAlgorithm):
             return point
         return with_own(point, oriented, self.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context))
 
+    def _doubtful(self, parameters, context, method):
+        """Whether doubtful headings get viewsheds too; the paper method does not test its answers."""
+        return method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
+
     def _view_of(self, parameters, context, viewer, method, count):
         """Return the function that computes one photo's viewshed, or None for a photo whose heading is not reliable."""
-        doubtful = method == "paper" or self.parameterAsBoolean(parameters, "DOUBTFUL", context)
+        doubtful = self._doubtful(parameters, context, method)
         progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
 
         def view(point, status, index):
-            if point.posed is None or not (status == "accepted" or doubtful):
+            if point.posed is None or not (status in RELIABLE or doubtful):
                 return None
             return viewer.view(point, subtask(progress, (index + ORIENTATION_PART) / count, (index + 1) / count))
 

@@ -19,6 +19,7 @@ from typing import Any, TextIO
 from . import api
 from .base.errors import Cancelled, SkylineViewshedError
 from .base.optional import require
+from .base.status import RELIABLE
 from .base.terminal import Bar, Quietly
 from .pipeline import COMPASS_USES, METHODS
 
@@ -100,8 +101,11 @@ class Run:
             if photo.status == "failed":
                 line = f"{PROGRAM}: {os.path.basename(photo.path)}: {_in_options(photo.message)}"
             self.bar.say(line, always=photo.status == "failed")
-            if self.given.viewsheds and photo.view is not None and (photo.status == "accepted" or self.given.doubtful):
-                self._write_viewshed(photo)
+            if self.given.viewsheds and photo.view is not None:
+                if photo.status in RELIABLE or self.given.doubtful:
+                    self._write_viewshed(photo)
+                else:
+                    self.bar.say(f"{number}/{len(self.paths)} no viewshed, as it is {photo.status}; see --doubtful")
             if self.bar.cancelled():
                 raise Cancelled
             yield photo

@@ -35,6 +35,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WEDGE_MM = 11
 STATUS_COLOURS = {
     "accepted": ("#1f8a5b", "accepted: trust it"),
+    "confirmed": ("#0b6bcb", "confirmed by a person"),
     "ambiguous": ("#e69f00", "ambiguous: look at the report"),
     "rejected": ("#7a7f85", "rejected: no answer"),
     "failed": ("#c0392b", "failed: input at fault"),

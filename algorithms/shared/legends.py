@@ -15,6 +15,7 @@ ENTRIES = (
     mark("outside the picture"),
     mark("unknown"),
     mark("accepted: trust it"),
+    mark("confirmed by a person"),
     mark("ambiguous: look at the report"),
     mark("rejected: no answer"),
     mark("failed: input at fault"),

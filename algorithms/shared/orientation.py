@@ -194,7 +194,9 @@ def oriented_fields(source):
 
 def summary(statuses):
     """Summarise the counts by status in a sentence."""
-    from ...core.report.facts import STATUSES, status_word
+    from ...core.base.status import STATUSES
+    from ...core.report.facts import status_word
 
-    parts = [f"{statuses.count(status)} {status_word(status, marked)}" for status in STATUSES]
+    given = [status for status in STATUSES if status != "confirmed" or status in statuses]
+    parts = [f"{statuses.count(status)} {status_word(status, marked)}" for status in given]
     return tr("{count} photos: {parts}.").format(count=len(statuses), parts=", ".join(parts))

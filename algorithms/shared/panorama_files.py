@@ -6,9 +6,7 @@ from pathlib import Path
 
 from ...core.base.camera import Camera, Pose
 from ...core.base.posed import PosedPhoto
-from .fields import is_null
 from .i18n import marked, tr
-from .layers import read_points
 from .outputs import write_whole
 from .photo_points import PoseReading, photo_point, pose_values
 from .picture_files import PictureFolder
@@ -26,9 +24,11 @@ class PanoramaFolder:
         As in `processAlgorithm`.
     terrain : core.io.raster.Dem
     summits : Summitry
+    photos : list of PointRow
+        Photos whose frames are drawn where they were taken.
     """
 
-    def __init__(self, algorithm, parameters, context, terrain, summits):
+    def __init__(self, algorithm, parameters, context, terrain, summits, photos):
         self.path = Path(algorithm.parameterAsString(parameters, "FOLDER", context))
         self.terrain, self.summits, self.count = terrain, summits, 0
         self._names = PictureFolder(str(self.path))
@@ -37,9 +37,7 @@ class PanoramaFolder:
             "pixels_per_degree": algorithm.parameterAsDouble(parameters, "SCALE", context),
             "exaggeration": algorithm.parameterAsDouble(parameters, "EXAGGERATION", context),
         }
-        self.photos = []
-        if not is_null(parameters.get("PHOTOS")):
-            self.photos = read_points(algorithm, parameters, context, "PHOTOS")[1]
+        self.photos = photos
 
     def write(self, row, observer, panorama, options):
         """Write one point's panorama and return the view all around from which it is drawn."""

@@ -25,6 +25,8 @@ from .i18n import tr
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")
 SECTORS = ("photo frame", "heading wedge", "full circle")
+CHOSEN_STATUSES = ("accepted", "confirmed", "ambiguous", "rejected")
+"""Statuses that a later step can use; a photo that failed has no heading."""
 
 
 def advanced(parameter):
@@ -202,6 +204,23 @@ def sector(name="SECTOR"):
         tr(
             "Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all "
             "ground within the horizontal field of view. Full circle: all that can be seen from the place."
+        ),
+    )
+
+
+def statuses(name="STATUSES"):
+    """Choice of the oriented photographs that a later step uses; see `statuses.relied_on`."""
+    words = [tr("accepted"), tr("confirmed"), tr("ambiguous"), tr("rejected")]
+    reliable = [CHOSEN_STATUSES.index(status) for status in ("accepted", "confirmed")]
+    return explained(
+        advanced(
+            QgsProcessingParameterEnum(
+                name, tr("Photos by status"), words, allowMultiple=True, defaultValue=reliable, optional=True
+            )
+        ),
+        tr(
+            "Photos whose field status has one of these values are used; the log counts those that are left out. "
+            "Photos of a layer without this field are all used."
         ),
     )
 

@@ -84,6 +84,8 @@ def facts_of(algorithm, parameters, context):
 def value_in_words(algorithm, definition, parameters, context):
     """Value of a parameter in words."""
     name, kind = definition.name(), definition.type()
+    if kind == "enum" and definition.allowMultiple():
+        return ", ".join(definition.options()[k] for k in algorithm.parameterAsEnums(parameters, name, context))
     if kind == "enum":
         return definition.options()[algorithm.parameterAsEnum(parameters, name, context)]
     if kind in ("distance", "number"):

@@ -18,6 +18,7 @@ from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
 from .layers import PATH_FIELDS, read_points
 from .photo_points import POSE_FIELDS, PoseReading, is_field_of_view, photo_point, pose_values, value_of
+from .statuses import relied_on
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,7 @@ def add_view_parameters(algorithm, max_distance_m=30_000.0, photo_needed=True):
     algorithm.addParameter(shared.dem())
     algorithm.addParameter(shared.band())
     algorithm.addParameter(shared.max_distance(max_distance_m))
+    algorithm.addParameter(shared.statuses())
     texts = {
         "HEADING_FIELD": (tr("Field with the heading (°)"), tr("True, clockwise from north.")),
         "PITCH_FIELD": (tr("Field with the pitch (°)"), tr("Up is positive. NULL: 0.")),
@@ -136,7 +138,7 @@ def uncertainty_of(algorithm, parameters, context):
 
 
 def open_views(algorithm, parameters, context, feedback, terrain, opening):
-    """Yield an `OpenedPhoto` for each oriented point; points without a heading or off the DEM get a warning.
+    """Yield an `OpenedPhoto` for each point of a chosen status; those without a heading or off the DEM get a warning.
 
     Parameters
     ----------
@@ -146,6 +148,7 @@ def open_views(algorithm, parameters, context, feedback, terrain, opening):
     opening : Opening
     """
     _, rows = read_points(algorithm, parameters, context, "INPUT", _path_field(algorithm, parameters, context))
+    rows = relied_on(algorithm, parameters, context, feedback, rows)
     fields = {key: algorithm.parameterAsString(parameters, key, context) for key in POSE_FIELDS}
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
     reading = PoseReading(eye_height_m, opening.uncertainty, level=True)

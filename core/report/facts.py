@@ -9,10 +9,8 @@ import numpy as np
 
 from ..base.angles import difference, in_wedge, wrap_360
 from ..base.overlay_lines import skyline_residuals_px
+from ..base.status import STATUSES
 from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
-
-STATUSES = ("accepted", "ambiguous", "rejected", "failed")
-"""From best to worst, which is also the order in which the summary sorts them."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +60,7 @@ def status_word(status, say=str):
     """Return the status in the reader's language; in attributes it stays English."""
     return {
         "accepted": say("accepted"),
+        "confirmed": say("confirmed"),
         "ambiguous": say("ambiguous"),
         "rejected": say("rejected"),
         "failed": say("failed"),

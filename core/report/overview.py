@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 
+from ..base.status import STATUSES
 from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
-from .facts import STATUSES, percent, status_word
+from .facts import percent, status_word
 from .pieces import fill, joined
 
-SIGNS = {"accepted": "✓", "ambiguous": "?", "rejected": "✕", "failed": "!"}
+SIGNS = {"accepted": "✓", "confirmed": "★", "ambiguous": "?", "rejected": "✕", "failed": "!"}
 """Signs shown beside the colour, for readers who cannot tell red from green."""
 
 LAYERS = ("evidence", "extracted", "best", "alternative")

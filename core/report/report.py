@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from ..base.status import RELIABLE, STATUSES
 from ..figures.stations import Station, stations_svg
 from .card import photo_card
-from .facts import STATUSES, status_word, summarise
+from .facts import status_word, summarise
 from .overview import bar, overview_table, switches
 from .page import DEFAULT_SOFTWARE, PageWriter
 from .pieces import Html, fill, joined, long_text
@@ -60,7 +61,7 @@ class ReportWriter(PageWriter):
         """
         self._summaries.append(summarise(photo))
         self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
-        most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status == "accepted" else MOST_WITH_FIGURES
+        most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status in RELIABLE else MOST_WITH_FIGURES
         figures = self._drawn < most
         self._drawn += figures
         number = len(self._summaries)
