@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessingOutputNumber
 
-from ..core.base.errors import PhotoError
+from ..core.base.errors import PhotoError, SkylineNotFoundError
 from ..core.base.messages import Message
 from ..core.base.progress import subtask
 from .base import DemAlgorithm
@@ -14,6 +14,9 @@ from .shared.feedback import warn
 from .shared.i18n import tr
 from .shared.styling import style_on_completion
 from .shared.views import Opening, add_view_parameters, open_views
+
+MOST_SKY = 0.5
+"""A larger share of the visible cells at pixels that show sky points to a wrong pose."""
 
 
 class DrapePhoto(DemAlgorithm):
@@ -44,6 +47,7 @@ class DrapePhoto(DemAlgorithm):
                 "fades out towards its edges."
             ),
             tr(
+                "Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent. "
                 "The second raster gives the ground sampling distance of the best photo in metres per pixel: "
                 "band 1 across the line of sight, band 2 along it on the slope, which is long if the line "
                 "of sight grazes the ground. Trees and people in the picture are draped too, because the DEM "
@@ -103,7 +107,7 @@ class DrapePhoto(DemAlgorithm):
         count, reach = 0, options.max_distance_m
         for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.85))):
             try:
-                count += drape(mosaic, photo, options) > 0
+                count += drape(mosaic, photo, options, feedback) > 0
             except PhotoError as error:
                 warn(feedback, photo.name, error.message)
         results = {"COUNT": count}
@@ -118,15 +122,43 @@ class DrapePhoto(DemAlgorithm):
         return results
 
 
-def drape(mosaic, photo, options):
-    """Add one photo and return its number of cells."""
+def drape(mosaic, photo, options, feedback):
+    """Add one photo and return its number of cells.
+
+    Parameters
+    ----------
+    mosaic : Mosaic
+    photo : OpenedPhoto
+    options : ViewshedOptions
+    feedback : QgsProcessingFeedback
+    """
     from ..core.io.photo import read_photo
-    from ..core.mapping.drape import build_picture_pyramid, drape_photo
+    from ..core.mapping.drape import drape_photo
+    from ..core.mapping.picture import build_picture_pyramid
     from ..core.viewshed.viewshed import photo_viewshed
 
     if not photo.path:
         raise PhotoError(Message("The point names no photo."))
-    picture = build_picture_pyramid(read_photo(photo.path).pixels)
+    pixels = read_photo(photo.path).pixels
+    picture = build_picture_pyramid(pixels, sky=sky_in(pixels))
     seen = photo_viewshed(photo.terrain, photo.view.photo, options, subtask(photo.progress, 0.1, 0.6))
-    rest = subtask(photo.progress, 0.6, 1.0)
-    return drape_photo(mosaic, photo.terrain, photo.view, picture, seen, rest)
+    cells = drape_photo(mosaic, photo.terrain, photo.view, picture, seen, subtask(photo.progress, 0.6, 1.0))
+    visible = int(seen.visible.sum()) * mosaic.refine**2
+    if visible and picture.sky is not None and 1 - cells / visible > MOST_SKY:
+        text = tr(
+            "{share} % of the ground in view lies where the picture shows sky, and was not draped. Check the heading, "
+            "the pitch and the elevation of the camera."
+        )
+        warn(feedback, photo.name, text.format(share=f"{100 * (1 - cells / visible):.0f}"))
+    return cells
+
+
+def sky_in(pixels):
+    """Pixels of a reduced copy of the picture that show sky; None if no skyline is found."""
+    from ..core.mapping.picture import sky_of
+    from ..core.skyline.evidence import skyline_evidence
+
+    try:
+        return sky_of(skyline_evidence(pixels))
+    except SkylineNotFoundError:
+        return None

@@ -315,6 +315,11 @@ def place(
     longitude_deg, latitude_deg : array
         WGS 84 [degrees]; NaN for sky, and where the elevation model ends.
 
+    Raises
+    ------
+    ValueError
+        A pixel lies outside the picture.
+
     Examples
     --------
     >>> dem = example_terrain()
@@ -327,6 +332,10 @@ def place(
     posed = _view(view) if isinstance(view, OrientedPhoto) else view
     opened = open_view(dem, posed, max_distance_m)
     x_px, y_px = np.broadcast_arrays(np.asarray(x_px, float), np.asarray(y_px, float))
+    outside = int(np.count_nonzero(~opened.frames(x_px, y_px)))
+    if outside:
+        size = f"{posed.camera.width_px} x {posed.camera.height_px}"
+        raise ValueError(f"{outside} of {x_px.size} pixels lie outside the picture of {size} pixels")
     placed = place_pixels(dem, opened, x_px.ravel(), y_px.ravel(), SightOptions(max_distance_m=max_distance_m))
     longitude, latitude = dem.position_of(*opened.frame.to_pixel(placed.hits.east_m, placed.hits.north_m))
     return np.reshape(longitude, x_px.shape), np.reshape(latitude, x_px.shape)

@@ -12,6 +12,9 @@ from .i18n import tr
 from .map_places import map_of_local, number
 
 ELLIPSE_CORNERS = 48
+OUTSIDE = "outside"
+"""Status of a feature that lies outside the picture."""
+
 JUMP_RATIO = 1.35
 """Neighbouring places along a drawn line lie on two surfaces if their distances differ by more than this factor."""
 
@@ -21,7 +24,7 @@ def point_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("label", "text", tr("Label")),
-        FieldSpec("status", "text", tr("What the pixel shows: ground, sky, void, beyond the DEM")),
+        FieldSpec("status", "text", tr("What the pixel shows: ground, sky, void, beyond the DEM, outside the picture")),
         FieldSpec("x_px", "real", tr("Column (px)")),
         FieldSpec("y_px", "real", tr("Row (px)")),
         FieldSpec("z", "real", tr("Elevation (m)")),
@@ -52,7 +55,7 @@ def drawn_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("label", "text", tr("Label")),
-        FieldSpec("status", "text", tr("What it shows: ground, partly ground, sky, void, beyond the DEM")),
+        FieldSpec("status", "text", tr("What it shows: ground, partly ground, sky, void, beyond the DEM, outside the picture")),
         FieldSpec("ground", "real", tr("Share of its outline that lies on known ground")),
         FieldSpec("parts", "whole", tr("Pieces, cut where the ground behind jumps")),
         FieldSpec("dist_min", "real", tr("Nearest distance (m)")),
@@ -106,6 +109,7 @@ class MapFeatures:
         if mine and not photo.sized:
             warn(feedback, photo.name, tr("The picture's size is unknown, so its pixels cannot be placed."))
             return
+        _tell_outside(photo, mine, feedback)
         for index, feature in enumerate(mine):
             self._used.add(feature)
             part = subtask(photo.progress, index / len(mine), (index + 1) / len(mine))
@@ -136,8 +140,13 @@ class MapFeatures:
 
         xy = np.vstack(feature.parts)
         placed, ellipse, x, y = self._place(photo, xy, progress)
-        hits = placed.hits
+        hits, inside = placed.hits, photo.view.frames(xy[:, 0], xy[:, 1])
         for k in range(len(xy)):
+            if not inside[k]:
+                unknown = [None] * (len(point_specs()) - 5)
+                self.points.append((None, [photo.path or photo.name, feature.label, OUTSIDE, *xy[k].tolist(), *unknown]))
+                self.sky_count += 1
+                continue
             ground = bool(hits.on_ground[k])
             errors = _errors(ellipse, k)
             values = [photo.path or photo.name, feature.label, STATE_NAMES[int(hits.state[k])], *xy[k].tolist()]
@@ -168,7 +177,8 @@ class MapFeatures:
         chains = [_followed(part, self.step_px, closed) for part in feature.parts]
         placed, ellipse, x, y = self._place(photo, np.vstack(chains), progress)
         hits = placed.hits
-        ground = hits.on_ground
+        inside = photo.view.frames(placed.x_px, placed.y_px)
+        ground = hits.on_ground & inside
         edges = np.cumsum([0] + [len(chain) for chain in chains])
         pieces = []
         for start, stop in zip(edges[:-1], edges[1:]):
@@ -180,10 +190,12 @@ class MapFeatures:
             status = "ground"
         elif ground.any():
             status = "partly ground"
+        elif not inside.any():
+            status = OUTSIDE
         else:
             status = STATE_NAMES[int(np.bincount(hits.state).argmax())]
         self.sky_count += geometry is None
-        known = np.isfinite(ellipse.semi_major_m)
+        known = np.isfinite(ellipse.semi_major_m) & inside
         errors = ellipse.semi_major_m[known]
         values = [photo.path or photo.name, feature.label, status, float(ground.mean()), count]
         values += [number(hits.distance_m[ground].min()), number(hits.distance_m[ground].max())] if ground.any() else [
@@ -191,6 +203,19 @@ class MapFeatures:
         values += [number(np.median(errors)), number(errors.max())] if errors.size else [None, None]
         values.append(number(np.nanmean(ellipse.p_other[ground])) if ground.any() else None)
         (self.polygons if closed else self.lines).append((geometry, values))
+
+
+def _tell_outside(photo, features, feedback):
+    """Warn of features that reach beyond the picture, which most often were drawn on another version of it."""
+    outside = [f for f in features if not all(photo.view.frames(part[:, 0], part[:, 1]).all() for part in f.parts)]
+    if outside:
+        camera = photo.view.camera
+        text = tr(
+            "{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside "
+            "it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy."
+        )
+        numbers = {"count": len(outside), "total": len(features)}
+        warn(feedback, photo.name, text.format(width=camera.width_px, height=camera.height_px, **numbers))
 
 
 def _errors(ellipse, k):

@@ -122,6 +122,38 @@ def test_a_labelling_tools_line_and_area_become_map_features(run, scene, oriente
     assert results["OUTPUT"].featureCount() == 0
 
 
+def test_pixels_outside_the_picture_are_not_placed(run, scene, oriented):
+    """The picture has 800 x 600 pixels; what was drawn on another copy of it is refused, and the run says so."""
+    table = pixel_table([["north.jpg", x, y, f"{x}/{y}"] for x, y in ((400, 500), (1600, 500), (400, 640), (-20, 500))])
+    results, feedback = run("pixeltomap", base(oriented, scene, PIXELS=table, OUTPUT="memory:", ELLIPSES="memory:"))
+    rows = rows_of(results["OUTPUT"])
+    assert [row["status"] for row in rows] == ["ground", "outside", "outside", "outside"]
+    assert [row["x_px"] for row in rows] == [400, 1600, 400, -20] and {row["dist_m"] for row in rows[1:]} == {NULL}
+    assert [f.geometry().isNull() for f in results["OUTPUT"].getFeatures()] == [False, True, True, True]
+    assert results["SKY_COUNT"] == 3 and results["ELLIPSES"].featureCount() == 1
+    (told,) = feedback.warnings
+    assert "3 of 4 image features" in told and "800 x 600" in told
+
+
+def test_lines_and_areas_end_at_the_edge_of_the_picture(run, scene, oriented, tmp_path):
+    shapes = [
+        {"label": "inside", "points": [[500, 520], [790, 520]], "shape_type": "line"},
+        {"label": "across", "points": [[500, 520], [1100, 520]], "shape_type": "line"},
+        {"label": "beyond", "points": [[900, 520], [1000, 560], [950, 580]], "shape_type": "polygon"},
+    ]
+    path = tmp_path / "north.json"
+    path.write_text(json.dumps({"shapes": shapes, "imagePath": "north.jpg"}))
+    results, feedback = run("pixeltomap", base(oriented, scene, PIXEL_FILE=str(path), LINES="memory:",
+                                               POLYGONS="memory:"))  # fmt: skip
+    lines = {f["label"]: f for f in results["LINES"].getFeatures()}
+    (area,) = results["POLYGONS"].getFeatures()
+    assert lines["inside"]["status"] == "ground" and lines["across"]["status"] == "partly ground"
+    assert lines["across"].geometry().length() == pytest.approx(lines["inside"].geometry().length(), rel=0.1)
+    assert area["status"] == "outside" and area.geometry().isNull() and area["err_max"] == NULL
+    (told,) = feedback.warnings
+    assert "2 of 3 image features" in told
+
+
 def test_features_of_unknown_photos_and_no_features_are_told(run, scene, oriented, refusal):
     table = pixel_table([["other.jpg", 1, 2, ""], ["north.jpg", 400, 500, ""]])
     _, feedback = run("pixeltomap", base(oriented, scene, PIXELS=table, OUTPUT="memory:"))
@@ -203,6 +235,23 @@ def test_draping_colours_what_the_photo_sees_as_the_photo_has_it(run, scene, ori
     assert 0 < statistics.minimumValue < statistics.maximumValue < REACH_M / known.camera.focal_px * 1.2
     finer, _ = run("drapephoto", base(oriented, scene, OUTPUT=str(tmp_path / "fine.tif"), REFINE=2))
     assert finer["CELLS"] == pytest.approx(4 * results["CELLS"], rel=0.05)
+
+
+def test_the_sky_of_a_picture_is_not_draped(run, scene, oriented, known, tmp_path):
+    """A camera that is said to look lower than it did puts its ground into the picture's sky."""
+    fields = [(name, QVariant.Double) for name in ("heading", "pitch", "roll", "hfov")]
+    pose, (lon, lat) = scene.truth["north"], scene.positions["north"]
+    counts, told = [], []
+    for lower in (0.0, 18.0):
+        values = [str(scene.folder / "north.jpg"), pose.heading_deg, pose.pitch_deg - lower, pose.roll_deg]
+        row = (f"Point({lon!r} {lat!r})", [*values, scene.hfov_deg])
+        layer = memory_layer("Point", [("photo", QVariant.String), *fields], [row])
+        out = tmp_path / f"{lower}.tif"
+        results, feedback = run("drapephoto", base(layer, scene, OUTPUT=str(out), MIN_DISTANCE=300.0))
+        counts.append(results["CELLS"])
+        told.append([warning for warning in feedback.warnings if "shows sky" in warning])
+    assert counts[0] > 3 * counts[1] > 0
+    assert not told[0] and len(told[1]) == 1
 
 
 def test_nothing_to_drape_is_said_and_leaves_no_file(run, scene, oriented, tmp_path):

@@ -117,6 +117,12 @@ def test_pixels_are_placed_where_they_were_drawn(mountains, oriented):
     assert (offset < 0.05 * truth.distance_m[y, x][ground] + 20).all()
 
 
+@pytest.mark.parametrize("x, y", [(800, 300), (400, -1), (np.nan, 300)])
+def test_pixels_outside_the_picture_are_refused(mountains, oriented, x, y):
+    with pytest.raises(ValueError, match="1 of 2 pixels lie outside the picture of 800 x"):
+        oriented.view.place(mountains, [400, x], [300, y])
+
+
 def test_a_photo_instance_and_a_large_array_serve_too(mountains, pixels, oriented):
     large = pixels.repeat(2, axis=0).repeat(2, axis=1)
     found = sv.orient(large, mountains, **FACTS)

@@ -8,8 +8,9 @@ from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Window
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.base.viewed import Viewshed
-from skyline_viewshed.core.mapping.drape import Mosaic, build_picture_pyramid, drape_photo
+from skyline_viewshed.core.mapping.drape import Mosaic, drape_photo
 from skyline_viewshed.core.mapping.monoplot import place_pixels
+from skyline_viewshed.core.mapping.picture import build_picture_pyramid
 
 CAMERA = Camera(400, 300, 300.0)
 SIZE = 301
@@ -158,35 +159,18 @@ def test_a_bent_frame_is_followed_between_its_nodes():
     assert abs(int(cell[0]) - x * 255 / 399) < 6 and abs(int(cell[1]) - y * 255 / 299) < 6
 
 
-def ramp(height=64, width=96):
-    y, x = np.mgrid[:height, :width]
-    return np.stack([x * 2, y * 3, np.full(x.shape, 50)], -1).astype(np.uint8)
-
-
-def test_levels_halve_and_keep_the_mean():
-    picture = np.random.default_rng(0).integers(0, 256, (130, 201, 3)).astype(np.uint8)
-    pyramid = build_picture_pyramid(picture)
-    assert [level.shape[:2] for level in pyramid.levels] == [(130, 201), (65, 100), (32, 50), (16, 25)]
-    assert pyramid.size_px == (201, 130)
-    for level in pyramid.levels:
-        assert level.mean() == pytest.approx(picture.mean(), abs=1.0)
-
-
-def test_between_pixels_a_ramp_is_a_ramp_on_every_level():
-    pyramid = build_picture_pyramid(ramp())
-    x, y = np.array([20.25, 40.0, 61.5]), np.array([30.75, 10.0, 22.5])
-    for footprint in (0.3, 1.0, 2.0, 4.0):
-        colour = pyramid.sample(x, y, np.full(3, footprint))
-        assert colour[:, 0] == pytest.approx(2 * x, abs=1.1) and colour[:, 1] == pytest.approx(3 * y, abs=1.6)
-        assert colour[:, 2] == pytest.approx(50)
-
-
-def test_edges_hold_their_colour_and_opacity_is_dropped():
-    rgba = np.dstack([ramp(), np.full((64, 96), 9, np.uint8)])
-    pyramid = build_picture_pyramid(rgba)
-    colour = pyramid.sample(np.array([-5.0, 200.0]), np.array([-5.0, 200.0]), np.ones(2))
-    assert colour.tolist() == [[0, 0, 50], [190, 189, 50]]
-
-
-def test_a_tiny_picture_has_one_level():
-    assert len(build_picture_pyramid(ramp(20, 20)).levels) == 1
+def test_cells_at_pixels_that_show_sky_stay_transparent():
+    terrain = plane()
+    view = view_of(terrain)
+    sky = np.zeros((30, 40), bool)
+    sky[:15] = True
+    _, _, whole_rgba, _ = draped(terrain, view, stripes())
+    mosaic = Mosaic(whole())
+    picture = build_picture_pyramid(stripes(), sky=sky)
+    drape_photo(mosaic, terrain, view, picture, seen_ground(np.ones((SIZE, SIZE), bool), whole()))
+    rgba, gsd = mosaic.read(0, SIZE)
+    seen, kept = whole_rgba[..., 3] > 0, rgba[..., 3] > 0
+    row, col = np.nonzero(seen)
+    _, y = view.pixel_of(*view.frame.to_local(col, row), np.zeros(row.size))
+    assert (kept[row, col] == (y >= 149.5)).all() and not kept[~seen].any() and kept.sum() > 1000
+    assert np.isnan(gsd[:, ~kept]).all()
