@@ -14,11 +14,12 @@ from qgis.core import (
 
 from .base import DemAlgorithm
 from .shared import parameters as shared
-from .shared.fields import FieldSpec, is_null, qgis_fields
+from .shared.fields import FieldSpec, is_null, number_or_none, qgis_fields
 from .shared.i18n import tr
 from .shared.map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
 from .shared.outputs import write_features
 from .shared.styling import style_on_completion
+from .shared.summit_input import snap_distance
 from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 NET_CELLS = 1.0
@@ -52,6 +53,11 @@ class WhichPhotos(DemAlgorithm):
                 "picture. The best photo of each place comes first (<b>rank</b> 1)."
             ),
             tr(
+                "A point with a height is a summit if the ground at its place is lower, and is then moved to the nearby "
+                "top in the DEM, as in <i>Label peaks in photos</i>: published positions and coarse DEMs differ by "
+                "hundreds of metres."
+            ),
+            tr(
                 "<b>quality</b> = visible share x pixels per metre x cosine of the angle of incidence: the "
                 "pixels per metre of ground in the worse direction. <b>place_id</b> and <b>photo_id</b> are "
                 "the features' ids, which you can use for relations to both layers."
@@ -66,7 +72,19 @@ class WhichPhotos(DemAlgorithm):
         self.addParameter(shared.explained(places, tr("Points, lines or areas, in any coordinate system.")))
         name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "PLACES", optional=True)
         self.addParameter(shared.explained(name, tr("Copied to the table.")))
+        height = shared.number_field(
+            "ELEVATION_FIELD",
+            tr("Field with heights (m)"),
+            tr(
+                "Points with a height that their ground does not reach are summits. NULL: the point lies on the ground."
+            ),
+            "ele",
+            "PLACES",
+        )
+        height.setDataType(height.DataType.Any)
+        self.addParameter(shared.advanced(height))
         add_view_parameters(self)
+        self.addParameter(shared.advanced(snap_distance()))
         above = shared.distance(
             "HEIGHT_ABOVE",
             tr("Height above ground (m)"),
@@ -102,9 +120,10 @@ class WhichPhotos(DemAlgorithm):
         places = self._places(parameters, context)
         above_m = self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context)
         least = self.parameterAsDouble(parameters, "MIN_SHARE", context) / 100
+        snap_m = self.parameterAsDouble(parameters, "SNAP", context)
         found, reach = {}, options.max_distance_m
         for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.95))):
-            samples = [samples_of(terrain, photo.view.frame, geometry) for _, _, geometry in places]
+            samples = [samples_of(terrain, photo.view.frame, *place[2:], snap_m) for place in places]
             sightings = find_sightings(terrain, photo.view, samples, options, above_m, photo.progress)
             for sighting in sightings:
                 if sighting.visible_share >= least:
@@ -118,18 +137,21 @@ class WhichPhotos(DemAlgorithm):
         return {"OUTPUT": output, "COUNT": len(rows), "UNSEEN": len(places) - len(found)}
 
     def _places(self, parameters, context):
-        """(id, name, geometry in the DEM's CRS) of each place."""
+        """(id, name, geometry in the DEM's CRS, published height or None) of each place."""
         source = self.parameterAsSource(parameters, "PLACES", context)
         if source is None:
             raise QgsProcessingException(self.invalidSourceError(parameters, "PLACES"))
         transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
         field = self.parameterAsString(parameters, "NAME_FIELD", context)
+        heights = self.parameterAsString(parameters, "ELEVATION_FIELD", context)
+        heights = heights if source.fields().lookupField(heights) >= 0 else None
         places = []
         for feature in source.getFeatures():
             geometry = transformed(feature.geometry(), transform)
             if geometry is not None:
                 name = feature[field] if field else None
-                places.append((feature.id(), None if is_null(name) else str(name), geometry))
+                height = number_or_none(feature[heights]) if heights else None
+                places.append((feature.id(), None if is_null(name) else str(name), geometry, height))
         if not places:
             raise QgsProcessingException(
                 tr("The places layer is empty, or lies outside the region for which the DEM's CRS is valid.")
@@ -137,11 +159,28 @@ class WhichPhotos(DemAlgorithm):
         return places
 
 
-def samples_of(terrain, frame, geometry):
-    """Local sample places of a place: its points, its line in steps of a cell, a grid over its area."""
+def samples_of(terrain, frame, geometry, height_m=None, snap_m=0.0):
+    """Local sample places of a place: its points, its line in steps of a cell, a grid over its area.
+
+    Parameters
+    ----------
+    terrain : core.io.raster.Dem
+    frame : LocalFrame
+    geometry : QgsGeometry
+        In the DEM's CRS.
+    height_m : float or None
+        Published height of a point [m].
+    snap_m : float
+        Search radius around a summit [m].
+
+    Returns
+    -------
+    Places or (east_m, north_m)
+    """
     import numpy as np
 
     from ..core.mapping.projecting import sample_area
+    from ..core.mapping.sightings import place_of_height
 
     kind = kind_of(geometry)
     if kind == "line":
@@ -152,12 +191,15 @@ def samples_of(terrain, frame, geometry):
         east, north = sample_area(parts, NET_CELLS * frame.cell_m)
         if east.size:
             return east, north
-    return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
+    east, north = (np.concatenate(axis) for axis in zip(*parts))
+    if kind == "point" and height_m is not None and east.size == 1:
+        return place_of_height(terrain, frame, (float(east[0]), float(north[0])), height_m, snap_m)
+    return east, north
 
 
 def ranked(place, shown):
     """Rows of one place, best photo first."""
-    identifier, name, _ = place
+    identifier, name = place[:2]
     shown = sorted(shown, key=lambda item: -item[1].quality)
     rows = []
     for rank, (photo, seen) in enumerate(shown, start=1):

@@ -68,10 +68,14 @@ def add_summit_parameters(algorithm):
         1.0,
     )
     algorithm.addParameter(shared.advanced(least))
-    snap = shared.distance(
+    algorithm.addParameter(shared.advanced(snap_distance()))
+
+
+def snap_distance():
+    """Search radius around a published summit."""
+    return shared.distance(
         "SNAP", tr("Search radius around a published summit (m)"), SNAP_M, tr("0: use the published position.")
     )
-    algorithm.addParameter(shared.advanced(snap))
 
 
 class Summitry:

@@ -47,7 +47,7 @@ class Places:
         is raised to it, so that a summit whose published height differs from that of a coarse DEM is judged correctly.
     height_above_m : float or (N,) array
         Height added to the elevation, for example of a tower or tree [m].
-    own_ground_m : float or None
+    own_ground_m : float, (N,) array or None
         Ground this close in front of a place belongs to it and does not hide it [m]; None means one cell. A summit
         needs more, because the edge of its top is still the summit.
     """
@@ -56,7 +56,7 @@ class Places:
     north_m: Any
     elevation_m: Any = None
     height_above_m: Any = 0.0
-    own_ground_m: float | None = None
+    own_ground_m: Any = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +147,9 @@ def project_places(terrain, view, places, options=None, all_round=False, progres
     state[near_enough & ahead & ~np.isfinite(shown)] = PlaceState.UNKNOWN
     asked &= np.isfinite(shown)
     top = np.fmax(given, surface) + places.height_above_m
-    tops = Places(east_m[asked], north_m[asked], top[asked], own_ground_m=places.own_ground_m)
+    own = view.frame.cell_m if places.own_ground_m is None else places.own_ground_m
+    own = np.broadcast_to(own, east_m.shape)[asked]
+    tops = Places(east_m[asked], north_m[asked], top[asked], own_ground_m=own)
     state[asked] = _states(terrain, view, tops, options, progress)
     return ProjectedPlaces(state, x, y, azimuth, elevation, distance, shown)
 
@@ -155,8 +157,7 @@ def project_places(terrain, view, places, options=None, all_round=False, progres
 def _states(terrain, view, tops, options, progress):
     """State of places known to lie in the picture."""
     azimuth, elevation, distance = view.direction_of(tops.east_m, tops.north_m, tops.elevation_m)
-    end = distance - (view.frame.cell_m if tops.own_ground_m is None else tops.own_ground_m)
-    lines = SightLines(view.eye_elevation_m, azimuth, elevation, end_m=end)
+    lines = SightLines(view.eye_elevation_m, azimuth, elevation, end_m=distance - tops.own_ground_m)
     state = cast_rays(terrain, view.frame, lines, options, progress).state
     hidden = [state == GROUND, state == VOID]
     return np.select(hidden, [int(PlaceState.HIDDEN), int(PlaceState.UNKNOWN)], int(PlaceState.VISIBLE))

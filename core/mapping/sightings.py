@@ -12,7 +12,8 @@ import numpy as np
 
 from ..base.camera import to_camera_axes
 from ..base.progress import SILENT
-from ..base.surface import incidence_deg, normal_at
+from ..base.surface import elevation_at, incidence_deg, normal_at
+from .peaks import HEIGHT_WEIGHT, own_ground_m, snap_to_summit
 from .projecting import Places, ProjectedPlaces, project_places
 
 
@@ -55,6 +56,39 @@ class Sighting:
     quality: float
 
 
+def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0):
+    """Place of a point with a published height: on the DEM's own top if it is a summit, else where it is published.
+
+    It is a summit if position and height together agree better with a top of the DEM nearby than with the ground at the
+    published position. A hut or a village has the height of the ground on which it stands.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+    place : (east_m, north_m) floats
+        Published place in local metres [m].
+    elevation_m : float
+        Published height [m].
+    radius_m : float
+        Search radius; 0 or less leaves every point at its place [m].
+
+    Returns
+    -------
+    Places
+        One place.
+    """
+    here = float(elevation_at(terrain, frame, *map(np.asarray, place)))
+    published = Places(np.array([place[0]]), np.array([place[1]]))
+    if radius_m <= 0 or not np.isfinite(here):
+        return published
+    east, north, top = snap_to_summit(terrain, frame, *place, elevation_m, radius_m)
+    moved = float(np.hypot(east - place[0], north - place[1]))
+    if not HEIGHT_WEIGHT * abs(here - elevation_m) > moved + HEIGHT_WEIGHT * abs(top - elevation_m):
+        return published
+    return Places(np.array([east]), np.array([north]), np.array([elevation_m]), own_ground_m=own_ground_m(frame))
+
+
 def find_sightings(terrain, view, places, options=None, height_above_m=0.0, progress=SILENT):
     """Find which places a photograph shows.
 
@@ -62,8 +96,8 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
     ----------
     terrain : Terrain
     view : View
-    places : sequence of (east_m, north_m) arrays
-        Sample points of each place, in local metres around the eye [m].
+    places : sequence of Places or of (east_m, north_m) arrays
+        Sample points of each place, in local metres around the eye [m]; arrays alone lie on the ground.
     options : SightOptions or None
     height_above_m : float
         Height of the target above the ground [m].
@@ -74,13 +108,16 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
     tuple of Sighting
         Sightings of the places that are visible at all, best quality first.
     """
-    sizes = [np.size(east) for east, _ in places]
+    places = [place if isinstance(place, Places) else Places(*place) for place in places]
+    sizes = [np.size(place.east_m) for place in places]
     if not sum(sizes):
         return ()
     owner = np.repeat(np.arange(len(places)), sizes)
-    east = np.concatenate([np.ravel(np.asarray(e, float)) for e, _ in places])
-    north = np.concatenate([np.ravel(np.asarray(n, float)) for _, n in places])
-    wanted = Places(east, north, height_above_m=height_above_m)
+    east = np.concatenate([np.ravel(np.asarray(place.east_m, float)) for place in places])
+    north = np.concatenate([np.ravel(np.asarray(place.north_m, float)) for place in places])
+    height = [_filled(place.elevation_m, size, np.nan) for place, size in zip(places, sizes)]
+    own = [_filled(place.own_ground_m, size, view.frame.cell_m) for place, size in zip(places, sizes)]
+    wanted = Places(east, north, np.concatenate(height), height_above_m, np.concatenate(own))
     shown = project_places(terrain, view, wanted, options, progress=progress)
     framed = view.frames(shown.x_px, shown.y_px)
     seen = np.flatnonzero(shown.visible)
@@ -91,6 +128,11 @@ def find_sightings(terrain, view, places, options=None, height_above_m=0.0, prog
     samples = _Samples(shown, framed, depth, incidence)
     found = [_sighting(view, place, owner == place, samples) for place in np.unique(owner[seen])]
     return tuple(sorted(found, key=lambda sighting: (-sighting.quality, sighting.place)))
+
+
+def _filled(value, size, otherwise):
+    """Values of the sample points of a place, (size,); a value that is not given is `otherwise`."""
+    return np.broadcast_to(np.ravel(otherwise if value is None else value), size).astype(float)
 
 
 @dataclass(frozen=True, eq=False)

@@ -310,6 +310,32 @@ def test_places_find_their_photos_best_first(run, scene, oriented):
     assert results["UNSEEN"] == 0 and results["COUNT"] == len(rows)
 
 
+def test_a_search_for_summits_finds_the_photos_in_which_they_are_labelled(run, scene, oriented, known):
+    """Published 250 m behind its top in the DEM, as Lhotse is, a summit is hidden at its published place."""
+    found, _ = run("labelpeaks", base(oriented, scene, MIN_PROMINENCE=100.0, OUTPUT="memory:"))
+    frame, rows = known.view.frame, []
+    x0, dx, _, y0, _, dy = known.dem.geotransform
+    north = [f for f in found["OUTPUT"].getFeatures() if f["photo"].endswith("north.jpg") and f["state"] == "visible"]
+    for number, summit in enumerate(north):
+        point = summit.geometry().asPoint()
+        east, up = (float(v) for v in frame.to_local((point.x() - x0) / dx - 0.5, (point.y() - y0) / dy - 0.5))
+        away = 1 + 250 / np.hypot(east, up)
+        col, row = frame.to_pixel(east * away, up * away)
+        place = f"Point({x0 + dx * (col + 0.5)} {y0 + dy * (row + 0.5)})"
+        rows.append((place, [str(number), summit["height_m"] + 10]))
+    peaks = memory_layer("Point", [("name", QVariant.String), ("ele", QVariant.Double)], rows, crs="")
+    peaks.setCrs(found["OUTPUT"].crs())
+    shown = {}
+    for snap in (500.0, 0.0):
+        given = {"NAME_FIELD": "name", "SNAP": snap, "OUTPUT": "memory:"}
+        labelled, _ = run("labelpeaks", base(oriented, scene, **{**given, "PEAKS": peaks}))
+        searched, _ = run("whichphotos", base(oriented, scene, **{**given, "PLACES": peaks}))
+        labels = {(row["photo"], row["name"]) for row in rows_of(labelled["OUTPUT"]) if row["state"] == "visible"}
+        shown[snap] = {(row["photo"], row["place"]) for row in rows_of(searched["OUTPUT"])}
+        assert shown[snap] <= labels
+    assert shown[500.0] > shown[0.0]
+
+
 def test_areas_are_asked_for_the_share_that_shows(run, scene, oriented):
     lon, lat = scene.positions["north"]
     box = f"Polygon(({lon} {lat}, {lon + 0.05} {lat}, {lon + 0.05} {lat + 0.05}, {lon} {lat + 0.05}, {lon} {lat}))"

@@ -22,7 +22,14 @@ def photos(scene):
         status = "" if statuses is None else "&field=status:string"
         layer = QgsVectorLayer(f"Point?crs=EPSG:4326&{FIELDS}&field=vfov:double{status}", "oriented", "memory")
         pose, (lon, lat) = scene.truth["north"], scene.positions["north"]
-        values = [str(scene.folder / "north.jpg"), pose.heading_deg, pose.pitch_deg, pose.roll_deg, scene.hfov_deg, 45.0]
+        values = [
+            str(scene.folder / "north.jpg"),
+            pose.heading_deg,
+            pose.pitch_deg,
+            pose.roll_deg,
+            scene.hfov_deg,
+            45.0,
+        ]
         for word in [()] * 3 if statuses is None else [(status,) for status in statuses]:
             feature = QgsFeature(layer.fields())
             feature.setGeometry(QgsGeometry.fromWkt(f"Point({lon!r} {lat!r})"))

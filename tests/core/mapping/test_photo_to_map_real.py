@@ -17,6 +17,7 @@ from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.monoplot import place_pixels
 from skyline_viewshed.core.mapping.peaks import own_ground_m, snap_to_summit
 from skyline_viewshed.core.mapping.projecting import Places, PlaceState, project_places
+from skyline_viewshed.core.mapping.sightings import find_sightings, place_of_height
 
 pytestmark = pytest.mark.data
 
@@ -200,9 +201,10 @@ def khumbu_view(shared_data, photo, row):
 def test_the_named_summits_of_the_khumbu_are_found_in_their_photos(shared_data, photo, expected):
     row = truth(shared_data / "khumbu")[photo]
     dem, view = khumbu_view(shared_data, photo, row)
-    seen, own = set(), own_ground_m(view.frame)
+    seen, own, places = set(), own_ground_m(view.frame), []
     for name, latitude, longitude, height in SUMMITS:
         east, north = view.frame.to_local(*dem.pixel_of(longitude, latitude))
+        places.append(place_of_height(dem, view.frame, (float(east), float(north)), float(height)))
         east, north, top = snap_to_summit(dem, view.frame, float(east), float(north), height)
         shown = project_places(
             dem, view, Places(np.array([east]), np.array([north]), np.array([float(height)]), own_ground_m=own)
@@ -210,3 +212,5 @@ def test_the_named_summits_of_the_khumbu_are_found_in_their_photos(shared_data, 
         if shown.visible[0]:
             seen.add(name)
     assert seen == expected
+    sightings = find_sightings(dem, view, places)
+    assert {SUMMITS[sighting.place][0] for sighting in sightings} == expected, "a search finds what the labels show"

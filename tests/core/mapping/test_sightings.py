@@ -7,7 +7,7 @@ from skyline_viewshed.core.base.posed import PosedPhoto
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.projecting import sample_area
-from skyline_viewshed.core.mapping.sightings import find_sightings
+from skyline_viewshed.core.mapping.sightings import find_sightings, place_of_height
 
 CAMERA = Camera(600, 400, 500.0)
 
@@ -55,6 +55,36 @@ def test_of_an_area_the_visible_share_is_told():
     (seen,) = find_sightings(terrain, north_view(terrain, 0.0), [sample_area([ring], 5.0)])
     assert seen.visible_share == pytest.approx(0.5, abs=0.05)
     assert seen.framed_share > 0.95
+
+
+def pyramid():
+    """Even ground with one mountain of 300 m, whose top lies 1,000 m north of the eye."""
+    row, col = np.mgrid[:401, :401]
+    z = np.maximum(300.0 - 0.5 * 10.0 * np.maximum(np.abs(row - 100), np.abs(col - 200)), 0.0)
+    return ArrayTerrain(z.astype(np.float32), 10.0)
+
+
+def test_a_published_summit_stands_on_the_top_of_the_dem_and_a_hut_where_it_is():
+    terrain = pyramid()
+    view = north_view(terrain, 5.0)
+    summit = place_of_height(terrain, view.frame, (40.0, 1150.0), 320.0)
+    assert (summit.east_m[0], summit.north_m[0]) == pytest.approx((0, 1000), abs=1)
+    assert summit.elevation_m[0] == 320.0
+    hut = place_of_height(terrain, view.frame, (40.0, 1150.0), 228.0)
+    assert (hut.east_m[0], hut.north_m[0], hut.elevation_m) == (40.0, 1150.0, None)
+    unmoved = place_of_height(terrain, view.frame, (40.0, 1150.0), 320.0, radius_m=0.0)
+    assert (unmoved.east_m[0], unmoved.north_m[0]) == (40.0, 1150.0)
+
+
+def test_a_summit_is_seen_though_its_published_place_lies_behind_the_top():
+    terrain = pyramid()
+    view = north_view(terrain, 5.0)
+    places = [point(40.0, 1150.0), place_of_height(terrain, view.frame, (40.0, 1150.0), 320.0), point(0.0, 500.0)]
+    found = find_sightings(terrain, view, places)
+    assert sorted(sighting.place for sighting in found) == [1, 2]
+    (summit,) = (sighting for sighting in found if sighting.place == 1)
+    assert summit.distance_m == pytest.approx(1000, abs=1)
+    assert summit.elevation_deg == pytest.approx(np.degrees(np.arctan((320 - 20) / 1000)), abs=0.05)
 
 
 def test_no_places_give_no_sightings():
