@@ -53,7 +53,7 @@ class WhichPhotos(DemAlgorithm):
                 "picture. The best photo of each place comes first (<b>rank</b> 1)."
             ),
             tr(
-                "A point with a height is a summit if the ground at its place is lower, and is then moved to the nearby "
+                "A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby "
                 "top in the DEM, as in <i>Label peaks in photos</i>: published positions and coarse DEMs differ by "
                 "hundreds of metres."
             ),

@@ -200,11 +200,25 @@ def _hints(request, metadata, dem, observer, compass_deg):
     evidence = None
     if request.drawn_skyline is not None:
         x_px, y_px = np.asarray(request.drawn_skyline, float).reshape(-1, 2).T
+        _check_drawn(x_px / size[0], y_px / size[1], size)
         evidence = evidence_from_line(x_px, y_px, *size)
     elif request.sky_mask_path is not None:
         evidence = evidence_from_mask(read_photo(request.sky_mask_path, PREVIEW_PX).pixels, *size)
     landmarks = tuple(_direction(hint, dem, observer) for hint in request.landmarks)
     return Hints(heading, landmarks, evidence)
+
+
+def _check_drawn(across, down, size):
+    """Raise `PhotoError` for a skyline on another copy of the picture; hands slip a little over the edge."""
+    if across.max(initial=0) > 1.05 or across.min(initial=0) < -0.05 or down.max(initial=0) > 1.05:
+        raise PhotoError(
+            Message(
+                "The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not "
+                "on a reduced or turned copy.",
+                width=size[0],
+                height=size[1],
+            )
+        )
 
 
 def _direction(hint, dem, observer):

@@ -14,6 +14,7 @@ from .base.uncertainty import TYPICAL_POSITION_ERROR_M
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
 from .match.inputs import Eye, EyeOptions, MatchInputs, differs, eye_offsets_m
+from .match.landmarks import match_with_landmarks
 from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
@@ -283,7 +284,7 @@ def _robustly(photo, setting, options, progress):
         robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
     known = hints.heading, hints.landmarks, setting.position_error_m, setting.inner, setting.other_eyes
     inputs = MatchInputs(evidence, setting.prior, setting.horizon, *known, hints.recorded_heading_deg)
-    orientation = match_robust(inputs, robust, subtask(progress, 0.4, 1.0))
+    orientation = match_with_landmarks(match_robust, inputs, robust, subtask(progress, 0.4, 1.0))
     return orientation, evidence.rival if orientation.behind else evidence
 
 

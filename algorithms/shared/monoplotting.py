@@ -24,7 +24,7 @@ def point_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("label", "text", tr("Label")),
-        FieldSpec("status", "text", tr("What the pixel shows: ground, sky, void, beyond the DEM, outside the picture")),
+        FieldSpec("status", "text", tr("What the pixel shows: ground, sky, void, beyond the DEM, outside the frame")),
         FieldSpec("x_px", "real", tr("Column (px)")),
         FieldSpec("y_px", "real", tr("Row (px)")),
         FieldSpec("z", "real", tr("Elevation (m)")),
@@ -55,7 +55,9 @@ def drawn_specs():
     return [
         FieldSpec("photo", "text", tr("Photo")),
         FieldSpec("label", "text", tr("Label")),
-        FieldSpec("status", "text", tr("What it shows: ground, partly ground, sky, void, beyond the DEM, outside the picture")),
+        FieldSpec(
+            "status", "text", tr("What it shows: ground, partly ground, sky, void, beyond the DEM, outside the frame")
+        ),
         FieldSpec("ground", "real", tr("Share of its outline that lies on known ground")),
         FieldSpec("parts", "whole", tr("Pieces, cut where the ground behind jumps")),
         FieldSpec("dist_min", "real", tr("Nearest distance (m)")),
@@ -144,7 +146,8 @@ class MapFeatures:
         for k in range(len(xy)):
             if not inside[k]:
                 unknown = [None] * (len(point_specs()) - 5)
-                self.points.append((None, [photo.path or photo.name, feature.label, OUTSIDE, *xy[k].tolist(), *unknown]))
+                known = [photo.path or photo.name, feature.label, OUTSIDE, *xy[k].tolist()]
+                self.points.append((None, known + unknown))
                 self.sky_count += 1
                 continue
             ground = bool(hits.on_ground[k])

@@ -1,4 +1,8 @@
-"""Use landmarks given by a person: scale them to the reduced picture, derive starting poses, report the misses."""
+"""Use landmarks given by a person: scale them to the reduced picture, derive starting poses, report the misses.
+
+A landmark is so exact that a fit always meets it, whatever the skyline shows. It is therefore used only if it lies in
+the picture, and if the picture does not decide the heading otherwise.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..base.angles import difference, wrap_360
-from ..base.camera import Pose, project, unproject
+from ..base.camera import Pose, in_frame, project, unproject
 from ..base.messages import Message
+from ..base.progress import SILENT, subtask
+
+CONTRADICTION_SHARE = 0.05
+"""A landmark contradicts an accepted answer that it misses by more than this share of the picture's diagonal."""
 
 
 @dataclass(frozen=True)
@@ -22,6 +30,8 @@ class Landmark:
         True azimuth and elevation angle of the map point seen from the eye [degrees].
     sigma_px : float
         Precision of the click [pixels].
+    number : int
+        What messages call it; 0 means its place in the list, counted from 1.
     """
 
     x_px: float
@@ -29,6 +39,7 @@ class Landmark:
     azimuth_deg: float
     elevation_deg: float
     sigma_px: float = 5.0
+    number: int = 0
 
 
 def scale_landmarks(landmarks, full, reduced):
@@ -72,6 +83,95 @@ def starting_pose(camera, landmark):
     return Pose(float(wrap_360(landmark.azimuth_deg - azimuth)), pitch)
 
 
+def match_with_landmarks(match, inputs, options, progress=SILENT):
+    """Match with the landmarks that lie in the picture and do not contradict it.
+
+    Parameters
+    ----------
+    match : callable
+        `robust.match_robust`.
+    inputs : MatchInputs
+    options : RobustOptions
+    progress : Progress
+
+    Returns
+    -------
+    Orientation
+        Its notes name the landmarks that were not used.
+    """
+    if not inputs.landmarks:
+        return match(inputs, options, progress)
+    camera = inputs.camera_prior.camera
+    marks = tuple(replace(mark, number=mark.number or number) for number, mark in enumerate(inputs.landmarks, 1))
+    framed = [bool(in_frame(camera, np.array(mark.x_px), np.array(mark.y_px))) for mark in marks]
+    inside = tuple(mark for mark, good in zip(marks, framed) if good)
+    notes = tuple(_outside_note(mark, camera) for mark, good in zip(marks, framed) if not good)
+    found = match(replace(inputs, landmarks=inside), options, subtask(progress, 0.0, 0.5 if inside else 1.0))
+    if inside:
+        alone = match(replace(inputs, landmarks=()), options, subtask(progress, 0.5, 0.8))
+        wrong = contradicting(inside, alone, found)
+        if wrong:
+            rest = tuple(mark for mark in inside if mark not in wrong)
+            rematch = subtask(progress, 0.8, 1.0)
+            found = match(replace(inputs, landmarks=rest), options, rematch) if rest else alone
+            notes += tuple(_contradiction_note(mark, alone.best) for mark in wrong)
+    return replace(found, notes=notes + found.notes)
+
+
+def contradicting(landmarks, alone, found):
+    """Landmarks that contradict what the picture decides without them.
+
+    Parameters
+    ----------
+    landmarks : tuple of Landmark
+        In pixels of the full picture.
+    alone, found : Orientation
+        Answers without and with the landmarks. If the skyline agrees with the second at least as well, the landmarks
+        have corrected the first.
+
+    Returns
+    -------
+    tuple of Landmark
+    """
+    if alone.status != "accepted":
+        return ()
+    if found.ncc is not None and alone.ncc is not None and found.ncc >= alone.ncc:
+        return ()
+    camera, pose = alone.best.camera, alone.best.pose
+    limit_px = CONTRADICTION_SHARE * np.hypot(camera.width_px, camera.height_px)
+    return tuple(mark for mark in landmarks if not _miss_px(mark, camera, pose) <= max(limit_px, 3 * mark.sigma_px))
+
+
+def _miss_px(mark, camera, pose):
+    """Distance of a landmark from its predicted position [pixels]; NaN behind the camera."""
+    x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)
+    return float(np.hypot(x - mark.x_px, y - mark.y_px))
+
+
+def _outside_note(mark, camera):
+    return Message(
+        "Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its "
+        "pixel belongs to this picture, and not to a reduced or turned copy.",
+        number=mark.number,
+        width=camera.width_px,
+        height=camera.height_px,
+    )
+
+
+def _contradiction_note(mark, best):
+    return Message(
+        "Landmark {number} contradicts the picture, in which the skyline alone decides the heading: its map point lies "
+        "{count} degrees in azimuth from its pixel. It was not used. Check the pixel and the map point.",
+        number=mark.number,
+        count=f"{_turn_deg(mark, best):.0f}",
+    )
+
+
+def _turn_deg(mark, best):
+    azimuth, _ = unproject(best.camera, best.pose, mark.x_px, mark.y_px)
+    return abs(float(difference(mark.azimuth_deg, azimuth)))
+
+
 def landmark_notes(landmarks, camera, pose):
     """Return one message per landmark with its distance from the predicted position [pixels of the full picture].
 
@@ -85,7 +185,8 @@ def landmark_notes(landmarks, camera, pose):
         Fitted pose.
     """
     notes = []
-    for number, mark in enumerate(landmarks, 1):
+    for place, mark in enumerate(landmarks, 1):
+        number = mark.number or place
         x, y = project(camera, pose, mark.azimuth_deg, mark.elevation_deg)
         if np.isfinite(x):
             count = f"{np.hypot(x - mark.x_px, y - mark.y_px):.0f}"

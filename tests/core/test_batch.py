@@ -196,6 +196,26 @@ def test_a_drawn_skyline_replaces_the_extraction(scene, dem, north):
     assert turn(found, scene.truth["north"]) < 0.5
 
 
+@pytest.mark.parametrize("drawn", [((0, 300), (1600, 320)), ((-90, 300), (700, 320)), ((10, 300), (700, 900))])
+def test_a_skyline_drawn_on_another_copy_of_the_picture_is_refused(scene, dem, drawn):
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), drawn_skyline=drawn), dem)
+    assert found.status == "failed" and "beyond the picture of 800 x 600 pixels" in found.message
+
+
+def test_a_landmark_of_another_copy_of_the_picture_is_refused_and_the_photo_is_solved(scene, dem, north):
+    mark = LandmarkHint(1500.0, 200.0, north.longitude_deg, north.latitude_deg + 0.02)
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), landmarks=(mark,)), dem)
+    assert turn(found, scene.truth["north"]) < 0.5 and found.status == "accepted"
+    assert any("Landmark 1 lies outside the picture of 800 x 600" in note for note in found.orientation.notes)
+
+
+def test_a_landmark_on_the_wrong_summit_does_not_turn_the_photo(scene, dem, north):
+    mark = LandmarkHint(150.0, 250.0, north.longitude_deg + 0.02, north.latitude_deg + 0.02)
+    found = orient_request(PhotoRequest(str(scene.folder / "north.jpg"), landmarks=(mark,)), dem)
+    assert turn(found, scene.truth["north"]) < 0.5
+    assert any("Landmark 1 contradicts the picture" in note for note in found.orientation.notes)
+
+
 def test_the_paper_s_method_goes_through_the_same_entry(scene, dem):
     found = orient_request(PhotoRequest(str(scene.folder / "north.jpg")), dem, OrientOptions(method="paper"))
     assert found.orientation.p_correct is None
