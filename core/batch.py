@@ -213,8 +213,8 @@ def _check_drawn(across, down, size):
     if across.max(initial=0) > 1.05 or across.min(initial=0) < -0.05 or down.max(initial=0) > 1.05:
         raise PhotoError(
             Message(
-                "The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not "
-                "on a reduced or turned copy.",
+                "The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, "
+                "not on a reduced or turned copy.",
                 width=size[0],
                 height=size[1],
             )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from math import log
 from pathlib import Path
 from typing import Any
 
@@ -138,7 +139,8 @@ def photo_point(row, values, reading, path=None, size_px=None):
         camera = None
     posed = None
     if observer is not None and pose is not None and camera is not None:
-        posed = PosedPhoto(camera, pose, observer, _uncertainty(values, reading.uncertainty), path)
+        usual = _of_intervals(row.feature, reading.uncertainty)
+        posed = PosedPhoto(camera, pose, observer, _uncertainty(values, usual), path)
     return PhotoPoint(row.feature, row.name, path, observer, heading, hfov, vfov, posed)
 
 
@@ -155,6 +157,20 @@ def _uncertainty(values, usual):
     if low is not None and high is not None:
         usual = usual.with_heading_interval(low, high)
     return usual.with_position_radius(radius_m) if radius_m is not None and radius_m > 0 else usual
+
+
+def _of_intervals(feature, usual):
+    """Uncertainty of pitch, roll and focal length from the intervals that `orientphotos` writes."""
+    ends = {
+        name: (value_of(feature, f"{name}_lo"), value_of(feature, f"{name}_hi")) for name in ("pitch", "roll", "hfov")
+    }
+    for name in ("pitch", "roll"):
+        if None not in ends[name]:
+            usual = usual.with_interval(f"{name}_deg", *ends[name])
+    if all(map(is_field_of_view, ends["hfov"])):
+        focal = [log(focal_of_fov_px(1.0, angle)) for angle in ends["hfov"]]
+        usual = usual.with_interval("focal_relative", min(focal), max(focal))
+    return usual
 
 
 def pinhole(hfov_deg, vfov_deg=None, size_px=None):
@@ -190,11 +206,14 @@ def oriented_point(row, oriented, usual):
     row : PointRow
     oriented : OrientedPhoto
     usual : PoseUncertainty
-        Uncertainty of everything except the heading.
+        Uncertainty of what the orientation does not determine.
     """
     posed, camera = oriented.view, oriented.camera
     if posed is not None:
-        posed = replace(posed, uncertainty=replace(usual, heading_deg=posed.uncertainty.heading_deg))
+        uncertainty = replace(usual, heading_deg=posed.uncertainty.heading_deg)
+        if oriented.orientation.uncertainty is not None:
+            uncertainty = uncertainty.with_pose_of(oriented.orientation.uncertainty)
+        posed = replace(posed, uncertainty=uncertainty)
     return PhotoPoint(
         row.feature,
         Path(oriented.path).name if oriented.path else row.name,

@@ -111,9 +111,12 @@ def add_uncertainty_parameters(algorithm):
     for name, label, value, text in (
         ("HEADING_SIGMA", tr("Uncertainty of the heading (°)"), default.heading_deg,
          tr("Standard deviation, used if the points have no heading_lo and heading_hi.")),
-        ("PITCH_SIGMA", tr("Uncertainty of the pitch (°)"), default.pitch_deg, tr("Standard deviation.")),
-        ("ROLL_SIGMA", tr("Uncertainty of the roll (°)"), default.roll_deg, tr("Standard deviation.")),
-        ("FOCAL_SIGMA", tr("Uncertainty of the focal length (%)"), percent, tr("Standard deviation.")),
+        ("PITCH_SIGMA", tr("Uncertainty of the pitch (°)"), default.pitch_deg,
+         tr("Standard deviation, used if the points have no pitch_lo and pitch_hi.")),
+        ("ROLL_SIGMA", tr("Uncertainty of the roll (°)"), default.roll_deg,
+         tr("Standard deviation, used if the points have no roll_lo and roll_hi.")),
+        ("FOCAL_SIGMA", tr("Uncertainty of the focal length (%)"), percent,
+         tr("Standard deviation, used if the points have no hfov_lo and hfov_hi.")),
         ("POSITION_SIGMA", tr("Uncertainty of the position (m)"), default.position_m,
          tr(
              "Standard deviation of the camera's position, in east and in north. A field h_acc takes precedence."

@@ -96,5 +96,7 @@ class PhotoAnswer:
             return None
         pose = replace(best.pose, heading_deg=float(wrap_360(best.pose.heading_deg)))
         posed = PosedPhoto(best.camera, pose, observer, path=self.path or None)
+        if self.orientation.uncertainty is not None:
+            posed = replace(posed, uncertainty=posed.uncertainty.with_pose_of(self.orientation.uncertainty))
         interval = self.heading_interval_deg
         return posed if interval is None else posed.with_heading_interval(*interval)

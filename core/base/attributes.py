@@ -14,8 +14,9 @@ from typing import Callable, Union
 import numpy as np
 
 from .angles import difference, true_to_grid, wrap_360
-from .camera import Camera, focal_from_35mm_px
+from .camera import Camera, focal_from_35mm_px, fov_of_focal_deg
 from .model import HorizonProfile, OrientedPhoto, PhotoMetadata
+from .uncertainty import Z_90
 
 Value = Union[str, int, float, datetime, None]
 ROTATION_OF_ORIENTATION = {1: 0, 2: 0, 3: 180, 4: 180, 5: 90, 6: 90, 7: 270, 8: 270}
@@ -107,6 +108,12 @@ def oriented_fields(say: Callable[[str], str] = str) -> list[FieldSpec]:
         FieldSpec("sharpness", "real", say("Sharpness of the correlation peak")),
         FieldSpec("heading_lo", "real", say("Heading, lower end of the 90 % interval (°)")),
         FieldSpec("heading_hi", "real", say("Heading, upper end of the 90 % interval (°)")),
+        FieldSpec("pitch_lo", "real", say("Pitch, lower end of the 90 % interval (°)")),
+        FieldSpec("pitch_hi", "real", say("Pitch, upper end of the 90 % interval (°)")),
+        FieldSpec("roll_lo", "real", say("Roll, lower end of the 90 % interval (°)")),
+        FieldSpec("roll_hi", "real", say("Roll, upper end of the 90 % interval (°)")),
+        FieldSpec("hfov_lo", "real", say("Horizontal field of view, lower end of the 90 % interval (°)")),
+        FieldSpec("hfov_hi", "real", say("Horizontal field of view, upper end of the 90 % interval (°)")),
         FieldSpec("p_correct", "real", say("Probability that the heading is right within 3°")),
         FieldSpec("status", "text", say("Status")),
         FieldSpec("message", "text", say("Message")),
@@ -158,7 +165,22 @@ def oriented_values(oriented: OrientedPhoto, max_distance_m: float) -> dict[str,
         "azim_1": left,
         "azim_2": right,
     }
-    return {name: _plain(value) for name, value in values.items()}
+    values.update(_intervals(oriented))
+    return {spec.name: _plain(values[spec.name]) for spec in oriented_fields()}
+
+
+def _intervals(oriented: OrientedPhoto) -> dict[str, float | None]:
+    """Give the ends of the 90 % intervals of pitch, roll and field of view [degrees]; None if unknown."""
+    best, spread = oriented.orientation.best, oriented.orientation.uncertainty
+    names = [f"{name}_{end}" for name in ("pitch", "roll", "hfov") for end in ("lo", "hi")]
+    if best is None or spread is None:
+        return dict.fromkeys(names)
+    pitch, roll = Z_90 * spread.pitch_deg, Z_90 * spread.roll_deg
+    wider = float(np.exp(Z_90 * spread.focal_relative))
+    width, focal = best.camera.width_px, best.camera.focal_px
+    ends = [best.pose.pitch_deg - pitch, best.pose.pitch_deg + pitch, best.pose.roll_deg - roll]
+    ends += [best.pose.roll_deg + roll, fov_of_focal_deg(width, focal * wider), fov_of_focal_deg(width, focal / wider)]
+    return dict(zip(names, ends))
 
 
 def _text(angle_deg: float | None) -> str | None:

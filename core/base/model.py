@@ -13,6 +13,7 @@ import numpy as np
 
 from .answer import PhotoAnswer
 from .camera import FOCAL_SIGMA, Camera, Pose
+from .uncertainty import PoseUncertainty
 
 
 @dataclass(frozen=True)
@@ -181,6 +182,8 @@ class Orientation:
         Whether the horizon was matched with the `rival` of the evidence.
     eye : int
         Which hypothesis of the eye's elevation the best answer belongs to; 0 is the assumed one.
+    uncertainty : PoseUncertainty or None
+        Of the best answer's pitch, roll and focal length.
     """
 
     status: str
@@ -198,6 +201,7 @@ class Orientation:
     notes: tuple[str, ...] = ()
     behind: bool = False
     eye: int = 0
+    uncertainty: PoseUncertainty | None = None
 
     @property
     def best(self) -> Candidate | None:
@@ -221,15 +225,12 @@ class OrientedPhoto(PhotoAnswer):
         Camera of the full upright picture: the fitted one if a heading was found, otherwise the prior.
     skyline : Skyline or None
         Extracted skyline, on a picture of `skyline.width_px` x `skyline.height_px`.
-    evidence : SkylineEvidence or None
-        Given by the robust method only.
-    horizon : HorizonProfile or None
+    evidence, horizon : SkylineEvidence or None, HorizonProfile or None
+        The robust method alone gives evidence.
     longitude_deg, latitude_deg : float or None
         WGS 84 position that was used [degrees].
-    eye_elevation_m : float or None
-        Absolute elevation of the eye that was used [m].
-    ground_elevation_m : float or None
-        Elevation of the DEM at the observer [m].
+    eye_elevation_m, ground_elevation_m : float or None
+        Absolute elevation of the eye that was used, and of the DEM at the observer [m].
     convergence_deg : float or None
         Bearing of the DEM's grid north from true north, clockwise positive [degrees].
     compass_true_deg : float or None

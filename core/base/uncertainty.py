@@ -22,6 +22,9 @@ TYPICAL_POSITION_ERROR_M = 8.0
 RADIUS_PER_AXIS = 1.5096
 """Radius that contains 68 % of the positions, in standard deviations of one coordinate (Rayleigh)."""
 
+LARGEST = {"pitch_deg": 90.0, "roll_deg": 90.0, "focal_relative": 0.3}
+"""Limits of the standard deviations that intervals give."""
+
 PARAMETERS = ("heading_deg", "pitch_deg", "roll_deg", "log_focal", "east_m", "north_m", "height_m")
 
 
@@ -67,11 +70,19 @@ class PoseUncertainty:
             + [self.position_m, self.position_m, height]
         )
 
+    def with_pose_of(self, other: PoseUncertainty) -> PoseUncertainty:
+        """Take over pitch, roll and focal length from another uncertainty."""
+        return replace(self, pitch_deg=other.pitch_deg, roll_deg=other.roll_deg, focal_relative=other.focal_relative)
+
     def with_heading_interval(self, heading_lo_deg: float, heading_hi_deg: float) -> PoseUncertainty:
         """Derive the heading's standard deviation from its 90 % interval, clockwise from lo to hi [degrees]."""
         width = difference(heading_hi_deg, heading_lo_deg)
         width = width if width >= 0 else width + 360.0
         return replace(self, heading_deg=float(width / (2 * Z_90)))
+
+    def with_interval(self, name: str, low: float, high: float) -> PoseUncertainty:
+        """Derive one standard deviation, named as in this class, from the ends of a 90 % interval."""
+        return replace(self, **{name: min(max(high - low, 0.0) / (2 * Z_90), LARGEST[name])})
 
     def with_position_radius(self, radius_m: float) -> PoseUncertainty:
         """Derive the position's standard deviation from the radius [m] that holds 68 % of the positions."""

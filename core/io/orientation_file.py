@@ -22,13 +22,15 @@ import numpy as np
 from ..base.camera import Camera, Pose
 from ..base.messages import Message
 from ..base.model import Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
+from ..base.uncertainty import PoseUncertainty
 
 CORE = Path(__file__).resolve().parent.parent
 PROGRAM = (".py", ".json", ".txt")
 KINDS = {
     kind.__name__: kind
     for kind in (
-        Camera, Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Pose, Skyline, SkylineEvidence
+        Camera, Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Pose, PoseUncertainty, Skyline,
+        SkylineEvidence,
     )
 }  # fmt: skip
 UNREADABLE = OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..base.uncertainty import PoseUncertainty
 from .geometry import horizon_rows
 
 
@@ -115,14 +116,52 @@ def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):
     floor_deg : float
         Lower limit of the standard deviation of a heading [degrees].
     """
+    covariance, terrain, distance = _spreads(objective, trials, scale)
+    shift = np.degrees(position_error_m / distance)
+    return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
+
+
+def pose_uncertainty(objective, trial, scale, floor_deg):
+    """Uncertainty of the best answer's pitch, roll and focal length; that of its heading is in the `Finding`.
+
+    Parameters
+    ----------
+    objective : Objective
+    trial : (5,) array
+        See `geometry.PARAMETERS`.
+    scale : float
+        Multiple of the expected tolerance at which it fits best.
+    floor_deg : float
+        Lower limit of the standard deviations of the angles [degrees].
+
+    Returns
+    -------
+    PoseUncertainty
+        The height of the eye, wrong by the slope of the ground times the error of the position, shifts near terrain up
+        or down as the pitch does.
+    """
+    covariance, terrain, distance = (value[0] for value in _spreads(objective, trial[None], np.array([scale])))
+    rise = np.degrees(objective.options.ground_slope * objective.position_error_m / distance)
+    focal = float(np.sqrt(covariance[3, 3]))
+    return PoseUncertainty(
+        pitch_deg=min(float(np.sqrt(covariance[1, 1] + terrain**2 + rise**2 + floor_deg**2)), 30.0),
+        roll_deg=min(float(np.sqrt(covariance[2, 2] + floor_deg**2)), 30.0),
+        focal_relative=min(focal, 0.3),
+    )
+
+
+def _spreads(objective, trials, scale):
+    """Covariances (K, F, F) of the free parameters, error of the DEM (K,) [degrees], distance of the terrain (K,) [m].
+
+    Pitch and heading, roll and focal length are the first four parameters and always free.
+    """
     _, _, curvature = objective.expand(trials, 1.5 * scale)
     free = np.flatnonzero(objective.free)
     information = curvature[np.ix_(range(len(trials)), free, free)] * objective.options.effective_columns
     covariance = np.linalg.pinv(information + 1e-6 * np.eye(len(free)))
     distance = _median_distance_m(objective, trials)
     terrain = np.degrees(scale * objective.options.terrain_error_cells * objective.curve.cell_m / distance)
-    shift = np.degrees(position_error_m / distance)
-    return np.minimum(np.sqrt(covariance[:, 0, 0] + terrain**2 + shift**2 + floor_deg**2), 30.0)
+    return covariance, terrain, distance
 
 
 def _median_distance_m(objective, trials):

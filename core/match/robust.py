@@ -15,7 +15,7 @@ from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
 from .answers import Answers, judge
-from .finding import examine, relief_px
+from .finding import examine, pose_uncertainty, relief_px
 from .fitting import Scorer, fit
 from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
 from .ground import GroundMatchOptions
@@ -135,6 +135,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         + _compass_note(status, objection, inputs.recorded_heading_deg),
         behind=behind,
         eye=int(answers.eye[0]),
+        uncertainty=pose_uncertainty(answers.objective, trials[0], answers.scale[0], answers.floor_deg),
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from ..base.angles import difference, in_wedge, wrap_360
 from ..base.overlay_lines import skyline_residuals_px
 from ..base.status import STATUSES
+from ..base.uncertainty import Z_90
 from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
 
 
@@ -164,19 +165,23 @@ def _pose(photo, say):
     orientation, best = photo.orientation, photo.orientation.best
     if best is None:
         return []
+    heading = best.pose.heading_deg
     rows = [
-        (
-            say("Heading, true"),
-            f"{azimuth(best.pose.heading_deg, 2)} {compass_point(wrap_360(best.pose.heading_deg), say)}",
-        ),
+        (say("Heading, true"), f"{azimuth(heading, 2)} {compass_point(wrap_360(heading), say)}"),
         (say("90 % interval"), interval_words(orientation, say) or "–"),
-        (say("Pitch, + up"), degrees(best.pose.pitch_deg, 2, signed=True)),
-        (say("Roll, + right side down"), degrees(best.pose.roll_deg, 2, signed=True)),
     ]
+    for name, label in (("pitch_deg", say("Pitch, + up")), ("roll_deg", say("Roll, + right side down"))):
+        rows.append((label, degrees(getattr(best.pose, name), 2, signed=True) + _margin(orientation, name)))
     for rank, other in enumerate(orientation.candidates[1:3], 2):
         chance = f" ({percent(other.probability)})" if other.probability is not None else ""
         rows.append((say("Alternative {rank}").format(rank=rank), f"{azimuth(other.pose.heading_deg, 2)}{chance}"))
     return rows
+
+
+def _margin(orientation, name):
+    """Write half the 90 % interval of an angle, or ''."""
+    spread = orientation.uncertainty
+    return "" if spread is None else f" (±{Z_90 * getattr(spread, name):.1f}°)"
 
 
 def _match(photo, say):

@@ -20,8 +20,8 @@ from skyline_viewshed.core.io.write_photo import write_photo
 
 CONTRACT = [
     "heading", "pitch", "roll", "hfov", "vfov", "ncc", "ncc_2nd", "heading_2", "heading_3", "sharpness", "heading_lo",
-    "heading_hi", "p_correct", "status", "message", "compass", "compass_df", "grid_conv", "horizon_m", "eye_z",
-    "observ_hgt", "radius", "azim_1", "azim_2",
+    "heading_hi", "pitch_lo", "pitch_hi", "roll_lo", "roll_hi", "hfov_lo", "hfov_hi", "p_correct", "status", "message",
+    "compass", "compass_df", "grid_conv", "horizon_m", "eye_z", "observ_hgt", "radius", "azim_1", "azim_2",
 ]  # fmt: skip
 
 
@@ -106,6 +106,8 @@ def test_derived_fields_follow_from_the_pose(solved, scene):
     assert feature["observ_hgt"] == pytest.approx(1.7, abs=1e-6)
     assert 500 < feature["horizon_m"] < 30_000
     assert feature["heading_lo"] < 20 < feature["heading_hi"]
+    for name in ("pitch", "roll", "hfov"):
+        assert feature[f"{name}_lo"] < feature[name] < feature[f"{name}_hi"], name
 
 
 def test_the_report_is_whole_and_names_each_photo(solved):

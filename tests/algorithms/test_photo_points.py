@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from qgis.core import QgsFeature, QgsFields
 from skyline_viewshed.algorithms.shared.fields import FieldSpec, qgis_field
@@ -15,10 +16,10 @@ from skyline_viewshed.algorithms.shared.photo_points import (
     pose_values,
 )
 from skyline_viewshed.algorithms.shared.skyline_limits import with_line
-from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, fov_of_focal_deg
 from skyline_viewshed.core.base.model import Candidate, Orientation, OrientedPhoto
 from skyline_viewshed.core.base.terrain import Observer
-from skyline_viewshed.core.base.uncertainty import PoseUncertainty
+from skyline_viewshed.core.base.uncertainty import Z_90, PoseUncertainty
 
 WHOLE = {"heading": 30.0, "pitch": 2.0, "roll": -1.0, "hfov": 60.0, "vfov": 45.0, "eye_z": 1800.0}
 
@@ -49,6 +50,15 @@ def test_what_a_row_says_of_its_errors_counts():
     posed = read(row_of(**WHOLE, heading_lo=29.0, heading_hi=31.0, h_acc=15.096)).posed
     assert posed.uncertainty.heading_deg == pytest.approx(2 / 3.29, rel=1e-3)
     assert posed.uncertainty.position_m == pytest.approx(10.0)
+
+
+def test_the_intervals_of_the_orientation_count_and_half_an_interval_does_not():
+    focal = [focal_of_fov_px(1.0, 60.0) * np.exp(sign * Z_90 * 0.02) for sign in (1, -1)]
+    ends = dict(zip(("hfov_lo", "hfov_hi"), (fov_of_focal_deg(1.0, value) for value in focal)))
+    row = row_of(**WHOLE, pitch_lo=-2.0, pitch_hi=-2.0 + 2 * Z_90 * 0.7, roll_lo=1.0, **ends)
+    uncertainty = read(row).posed.uncertainty
+    assert uncertainty.pitch_deg == pytest.approx(0.7) and uncertainty.focal_relative == pytest.approx(0.02)
+    assert uncertainty.roll_deg == PoseUncertainty().roll_deg
 
 
 @pytest.mark.parametrize("name", ["pitch", "vfov"])

@@ -1,5 +1,7 @@
 """The values of a photograph's fields, and what stands for the unknown."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.attributes import (
@@ -10,6 +12,7 @@ from skyline_viewshed.core.base.attributes import (
     photo_values,
 )
 from skyline_viewshed.core.base.model import Orientation, OrientedPhoto, PhotoMetadata
+from skyline_viewshed.core.base.uncertainty import PoseUncertainty
 
 
 @pytest.mark.parametrize("fields", [photo_fields, oriented_fields])
@@ -46,3 +49,16 @@ def test_null_island_is_no_position():
     assert has_position(PhotoMetadata("a.jpg", 8, 6, 46.5, 8.0))
     for place in ((None, 8.0), (46.5, None), (0.0, 0.0)):
         assert not has_position(PhotoMetadata("a.jpg", 8, 6, *place))
+
+
+def test_intervals_of_pitch_roll_and_field_of_view_follow_from_the_uncertainty(painted):
+    photo = painted()
+    spread = PoseUncertainty(pitch_deg=0.2, roll_deg=0.4, focal_relative=0.02)
+    values = oriented_values(replace(photo, orientation=replace(photo.orientation, uncertainty=spread)), 60_000.0)
+    assert values["pitch_hi"] - values["pitch_lo"] == pytest.approx(2 * 1.645 * 0.2, rel=1e-3)
+    assert values["roll_hi"] - values["roll_lo"] == pytest.approx(2 * 1.645 * 0.4, rel=1e-3)
+    assert (values["pitch_lo"] + values["pitch_hi"]) / 2 == pytest.approx(values["pitch"])
+    focal = [1 / np.tan(np.radians(values[name]) / 2) for name in ("hfov_lo", "hfov", "hfov_hi")]
+    assert focal[0] / focal[1] == pytest.approx(focal[1] / focal[2]) == pytest.approx(np.exp(1.645 * 0.02), rel=1e-3)
+    unknown = oriented_values(photo, 60_000.0)
+    assert {unknown[f"{name}_{end}"] for name in ("pitch", "roll", "hfov") for end in ("lo", "hi")} == {None}

@@ -2,8 +2,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.match.finding import heading_sigma_deg, relief_px
-from skyline_viewshed.core.match.robust import find_answers
+from skyline_viewshed.core.base.uncertainty import Z_90
+from skyline_viewshed.core.match.finding import heading_sigma_deg, pose_uncertainty, relief_px
+from skyline_viewshed.core.match.robust import find_answers, match_robust
 
 TRIAL = np.array([[97.3, 6.0, 1.0, 0.0, 0.0]])
 
@@ -63,3 +64,30 @@ def test_a_finding_speaks_of_the_best_answer_and_answers_can_be_put_in_another_o
     assert last.finding.heading_deg.tolist() == finding.heading_deg[::-1].tolist()
     assert last.finding.score.tolist() == finding.score[::-1].tolist()
     assert last.finding.explained < finding.explained and last.finding.residual_px > finding.residual_px
+
+
+def test_pitch_roll_and_focal_length_have_their_own_uncertainty(scene, fitted):
+    tight, loose = (pose_uncertainty(fitted, TRIAL[0], scale, 0.0) for scale in (0.35, 3.0))
+    for name in ("pitch_deg", "roll_deg", "focal_relative"):
+        assert 0 < getattr(tight, name) < getattr(loose, name), name
+    floor = pose_uncertainty(fitted, TRIAL[0], 0.35, 0.3)
+    assert floor.pitch_deg == pytest.approx(np.hypot(tight.pitch_deg, 0.3))
+    assert floor.focal_relative == tight.focal_relative < 0.02  # the prior's, which the picture narrows
+    horizon = replace(scene.horizon, distance_m=np.full(scene.horizon.distance_m.shape, 2000.0))
+    still = replace(scene, horizon=horizon).objective(0.02)
+    moved = replace(scene, horizon=horizon).objective(0.02)
+    moved.position_error_m = 35.0
+    wider, narrower = (pose_uncertainty(objective, TRIAL[0], 1.0, 0.0).pitch_deg for objective in (moved, still))
+    assert np.sqrt(wider**2 - narrower**2) == pytest.approx(np.degrees(0.5 * 35.0 / 2000.0), rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_intervals_hold_the_truth_of_simulated_photographs(match_scenes, seed):
+    rng = np.random.default_rng(seed)
+    scale = rng.uniform(0.98, 1.02)
+    scene = match_scenes.scene(seed, rng.uniform(0, 360), rng.uniform(-3, 8), rng.uniform(-6, 6), focal_scale=scale)
+    found = match_robust(scene.inputs())
+    spread, pose = found.uncertainty, found.best.pose
+    assert abs(pose.pitch_deg - scene.pose.pitch_deg) < Z_90 * spread.pitch_deg < 2
+    assert abs(pose.roll_deg - scene.pose.roll_deg) < Z_90 * spread.roll_deg < 3
+    assert 0 < spread.focal_relative < 0.026
