@@ -46,8 +46,8 @@ class DrapePhoto(DemAlgorithm):
                 "photograph with the finest resolution there has the greatest weight, and each photograph "
                 "fades out towards its edges."
             ),
+            tr("Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent."),
             tr(
-                "Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent. "
                 "The second raster gives the ground sampling distance of the best photo in metres per pixel: "
                 "band 1 across the line of sight, band 2 along it on the slope, which is long if the line "
                 "of sight grazes the ground. Trees and people in the picture are draped too, because the DEM "

@@ -382,6 +382,11 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent.</source>
+        <translation>Himmel wird nicht drapiert: Eine Zelle, deren Pixel über der Horizontlinie des Bildes liegt, bleibt durchsichtig.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
         <translation>Das zweite Raster gibt die Bodenauflösung des besten Fotos in Metern je Pixel: Kanal 1 quer zur Sichtlinie, Kanal 2 längs auf dem Hang; dieser Wert ist groß, wenn die Sichtlinie das Gelände streift. Auch Bäume und Menschen im Bild werden auf das Gelände gelegt, weil das DGM sie nicht enthält.</translation>
     </message>
@@ -440,6 +445,11 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>Der Punkt nennt kein Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>{share} % of the ground in view lies where the picture shows sky, and was not draped. Check the heading, the pitch and the elevation of the camera.</source>
+        <translation>{share} % des sichtbaren Geländes liegen dort, wo das Bild Himmel zeigt, und wurden nicht drapiert. Prüfen Sie Blickrichtung, Nickwinkel und Höhe der Kamera.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1290,8 +1300,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>None of the points is an oriented photo on this DEM.</source>
-        <translation>Keiner der Punkte ist ein orientiertes Foto auf diesem DGM.</translation>
+        <source>None of the points is an oriented photo of a chosen status on this DEM.</source>
+        <translation>Keiner der Punkte ist ein orientiertes Foto mit gewähltem Status auf diesem Höhenmodell.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1692,6 +1702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
+        <source>confirmed by a person</source>
+        <translation>von einer Person bestätigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
         <source>ambiguous: look at the report</source>
         <translation>mehrdeutig: siehe Bericht</translation>
     </message>
@@ -1797,8 +1812,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Was das Pixel zeigt: ground (Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Was das Pixel zeigt: ground (Gelände), sky (Himmel), void (Datenlücke), beyond (jenseits des Höhenmodells), outside (außerhalb des Bildes)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1848,8 +1863,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Was es zeigt: ground (Boden), partly ground (teils Boden), sky (Himmel), void (DGM-Lücke), beyond (außerhalb des DGM)</translation>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Was es zeigt: ground (Gelände), partly ground (teils Gelände), sky (Himmel), void (Datenlücke), beyond (jenseits des Höhenmodells), outside (außerhalb des Bildes)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1890,6 +1905,11 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>No oriented photo point for: {names}</source>
         <translation>Kein orientierter Fotopunkt für: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
+        <translation>{count} von {total} Bildobjekten reichen über das Bild von {width} x {height} Pixeln hinaus; außerhalb wird nichts verortet. Prüfen Sie, ob sie auf diesem Bild gezeichnet wurden und nicht auf einer verkleinerten, beschnittenen oder gedrehten Kopie.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2071,6 +2091,40 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Bildausschnitt: Gelände im Bild, mit Nick- und Rollwinkel und beiden Bildwinkeln. Blicksektor: alles Gelände im horizontalen Bildwinkel. Vollkreis: alles, was vom Standort zu sehen ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>ambiguous</source>
+        <translation>mehrdeutig</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos by status</source>
+        <translation>Fotos nach Status</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos whose field status has one of these values are used; the log counts those that are left out. Photos of a layer without this field are all used.</source>
+        <translation>Verwendet werden Fotos, deren Feld status einen dieser Werte hat; das Protokoll zählt die ausgelassenen. Fotos eines Layers ohne dieses Feld werden alle verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2299,6 +2353,36 @@
         <translation>Die Tabelle der Horizontlinien enthält dieses Foto nicht, daher wird kein Gelände ausgeschlossen.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos get no viewshed because of their status: {parts}.</source>
+        <translation>{count} von {total} Fotos erhalten wegen ihres Status kein Sichtfeld: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To compute their viewsheds all the same, tick "Viewsheds of doubtful photos too" under Advanced (parameter DOUBTFUL).</source>
+        <translation>Ihre Blickrichtungen sind zweifelhaft: Prüfen Sie sie im Bericht. Um ihre Sichtfelder trotzdem zu berechnen, wählen Sie unter Erweitert „Sichtfelder auch für zweifelhafte Fotos“ (Parameter DOUBTFUL).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos are left out because of their status: {parts}.</source>
+        <translation>{count} von {total} Fotos werden wegen ihres Status ausgelassen: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>No photo is used, so the result is empty. {reason}</source>
+        <translation>Es wird kein Foto verwendet, daher ist das Ergebnis leer. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To use them all the same, tick their statuses in "Photos by status" under Advanced (parameter STATUSES).</source>
+        <translation>Ihre Blickrichtungen sind zweifelhaft: Prüfen Sie sie im Bericht. Um die Fotos trotzdem zu verwenden, wählen Sie ihren Status unter Erweitert in „Fotos nach Status“ (Parameter STATUSES).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Photos with the status failed have no heading and cannot be used.</source>
+        <translation>Fotos mit dem Status „gescheitert“ haben keine Blickrichtung und können nicht verwendet werden.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Gipfel</translation>
@@ -2315,6 +2399,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
         <source>Field with heights (m)</source>
         <translation>Feld mit Höhen (m)</translation>
     </message>
@@ -2386,8 +2471,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Standardabweichung.</translation>
+        <source>Standard deviation, used if the points have no pitch_lo and pitch_hi.</source>
+        <translation>Standardabweichung, verwendet wenn die Punkte kein pitch_lo und pitch_hi haben.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2396,8 +2481,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no roll_lo and roll_hi.</source>
+        <translation>Standardabweichung, verwendet wenn die Punkte kein roll_lo und roll_hi haben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the focal length (%)</source>
         <translation>Unsicherheit der Brennweite (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no hfov_lo and hfov_hi.</source>
+        <translation>Standardabweichung, verwendet wenn die Punkte kein hfov_lo und hfov_hi haben.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2413,6 +2508,11 @@
         <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the camera's elevation (m)</source>
         <translation>Unsicherheit der Kamerahöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Standardabweichung.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2864,6 +2964,11 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Ein Punkt mit einer Höhe ist ein Gipfel, wenn das Gelände an seiner Stelle niedriger ist. Er wird dann wie in &lt;i&gt;Gipfel in Fotos beschriften&lt;/i&gt; auf den nahen höchsten Punkt im Höhenmodell versetzt: Veröffentlichte Lagen und grobe Höhenmodelle weichen um Hunderte von Metern voneinander ab.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: die Pixel je Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, die Sie für Beziehungen zu beiden Layern verwenden können.</translation>
     </message>
@@ -2881,6 +2986,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Wird in die Tabelle übernommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Punkte mit einer Höhe, die ihr Gelände nicht erreicht, sind Gipfel. NULL: Der Punkt liegt auf dem Gelände.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3091,6 +3201,36 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
+        <source>Pitch, lower end of the 90 % interval (°)</source>
+        <translation>Nickwinkel, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch, upper end of the 90 % interval (°)</source>
+        <translation>Nickwinkel, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, lower end of the 90 % interval (°)</source>
+        <translation>Rollwinkel, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, upper end of the 90 % interval (°)</source>
+        <translation>Rollwinkel, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, lower end of the 90 % interval (°)</source>
+        <translation>Horizontaler Bildwinkel, unteres Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, upper end of the 90 % interval (°)</source>
+        <translation>Horizontaler Bildwinkel, oberes Ende des 90-%-Intervalls (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
         <source>Probability that the heading is right within 3°</source>
         <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
     </message>
@@ -3204,6 +3344,11 @@
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>Das Foto hat keine GPS-Position. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
+        <translation>Die gezeichnete Horizontlinie reicht über das Bild von {width} x {height} Pixeln hinaus. Zeichnen Sie sie auf diesem Bild, nicht auf einer verkleinerten oder gedrehten Kopie.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3671,6 +3816,16 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
+        <translation>Landmarke {number} liegt außerhalb des Bildes von {width} x {height} Pixeln und wurde nicht verwendet. Prüfen Sie, ob ihr Pixel zu diesem Bild gehört und nicht zu einer verkleinerten oder gedrehten Kopie.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} contradicts the picture, in which the skyline alone decides the heading: its map point lies {count} degrees in azimuth from its pixel. It was not used. Check the pixel and the map point.</source>
+        <translation>Landmarke {number} widerspricht dem Bild, in dem schon die Horizontlinie allein die Blickrichtung bestimmt: Ihr Kartenpunkt liegt im Azimut {count} Grad neben ihrem Pixel. Sie wurde nicht verwendet. Prüfen Sie das Pixel und den Kartenpunkt.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies {count} pixels from its predicted position.</source>
         <translation>Landmarke {number} liegt {count} Pixel von ihrer vorausberechneten Lage entfernt.</translation>
     </message>
@@ -3871,21 +4026,6 @@
         <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Alle Zahlen</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>accepted</source>
-        <translation>angenommen</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>ambiguous</source>
-        <translation>mehrdeutig</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>rejected</source>
-        <translation>verworfen</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

@@ -382,6 +382,11 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent.</source>
+        <translation>El cielo no se proyecta: una celda cuyo píxel queda por encima de la línea del horizonte de la imagen permanece transparente.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
         <translation>El segundo ráster da la resolución sobre el terreno de la mejor foto en metros por píxel: banda 1 transversal a la línea de visión, banda 2 a lo largo de ella sobre la ladera, grande si la línea de visión roza el terreno. También se extienden los árboles y las personas de la imagen, porque el MDE no los contiene.</translation>
     </message>
@@ -440,6 +445,11 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>El punto no nombra ninguna foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>{share} % of the ground in view lies where the picture shows sky, and was not draped. Check the heading, the pitch and the elevation of the camera.</source>
+        <translation>El {share} % del terreno visible cae donde la imagen muestra cielo y no se ha proyectado. Compruebe el rumbo, el cabeceo y la elevación de la cámara.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1290,8 +1300,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>None of the points is an oriented photo on this DEM.</source>
-        <translation>Ninguno de los puntos es una foto orientada sobre este MDE.</translation>
+        <source>None of the points is an oriented photo of a chosen status on this DEM.</source>
+        <translation>Ninguno de los puntos es una foto orientada con un estado elegido sobre este MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1692,6 +1702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
+        <source>confirmed by a person</source>
+        <translation>confirmada por una persona</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
         <source>ambiguous: look at the report</source>
         <translation>ambigua: vea el informe</translation>
     </message>
@@ -1797,8 +1812,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Lo que muestra el píxel: ground (suelo), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Lo que muestra el píxel: ground (terreno), sky (cielo), void (hueco), beyond (más allá del MDE), outside (fuera de la imagen)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1848,8 +1863,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Lo que muestra: ground (suelo), partly ground (suelo en parte), sky (cielo), void (hueco del MDE), beyond (fuera del MDE)</translation>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Lo que muestra: ground (terreno), partly ground (terreno en parte), sky (cielo), void (hueco), beyond (más allá del MDE), outside (fuera de la imagen)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1890,6 +1905,11 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>No oriented photo point for: {names}</source>
         <translation>No hay punto de foto orientada para: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
+        <translation>{count} de {total} objetos de imagen sobresalen de la imagen de {width} x {height} píxeles; lo que queda fuera no se sitúa. Compruebe que se dibujaron sobre esta imagen y no sobre una copia reducida, recortada o girada.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2071,6 +2091,40 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Encuadre de la foto: terreno dentro de la imagen, con cabeceo, alabeo y ambos ángulos de visión. Sector de visión: todo el terreno dentro del ángulo de visión horizontal. Círculo completo: todo lo que se ve desde el lugar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>accepted</source>
+        <translation>aceptada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>confirmed</source>
+        <translation>confirmada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>ambiguous</source>
+        <translation>ambigua</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>rejected</source>
+        <translation>rechazada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos by status</source>
+        <translation>Fotos por estado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos whose field status has one of these values are used; the log counts those that are left out. Photos of a layer without this field are all used.</source>
+        <translation>Se usan las fotos cuyo campo status tiene uno de estos valores; el registro cuenta las omitidas. De una capa sin este campo se usan todas las fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2299,6 +2353,36 @@
         <translation>La tabla de líneas del horizonte no contiene esta foto, por lo que no se excluye ningún terreno.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos get no viewshed because of their status: {parts}.</source>
+        <translation>{count} de {total} fotos no reciben cuenca visual a causa de su estado: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To compute their viewsheds all the same, tick "Viewsheds of doubtful photos too" under Advanced (parameter DOUBTFUL).</source>
+        <translation>Sus rumbos son dudosos: compruébelos en el informe. Para calcular aun así sus cuencas visuales, marque «Cuencas visuales también de las fotos dudosas» en Avanzado (parámetro DOUBTFUL).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos are left out because of their status: {parts}.</source>
+        <translation>{count} de {total} fotos se omiten a causa de su estado: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>No photo is used, so the result is empty. {reason}</source>
+        <translation>No se usa ninguna foto, por lo que el resultado está vacío. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To use them all the same, tick their statuses in "Photos by status" under Advanced (parameter STATUSES).</source>
+        <translation>Sus rumbos son dudosos: compruébelos en el informe. Para usarlas de todos modos, marque sus estados en «Fotos por estado», en Avanzado (parámetro STATUSES).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Photos with the status failed have no heading and cannot be used.</source>
+        <translation>Las fotos con el estado failed no tienen rumbo y no se pueden usar.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Cimas</translation>
@@ -2315,6 +2399,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
         <source>Field with heights (m)</source>
         <translation>Campo con las altitudes (m)</translation>
     </message>
@@ -2386,8 +2471,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Desviación típica.</translation>
+        <source>Standard deviation, used if the points have no pitch_lo and pitch_hi.</source>
+        <translation>Desviación típica, usada si los puntos no tienen pitch_lo ni pitch_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2396,8 +2481,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no roll_lo and roll_hi.</source>
+        <translation>Desviación típica, usada si los puntos no tienen roll_lo ni roll_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the focal length (%)</source>
         <translation>Incertidumbre de la distancia focal (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no hfov_lo and hfov_hi.</source>
+        <translation>Desviación típica, usada si los puntos no tienen hfov_lo ni hfov_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2413,6 +2508,11 @@
         <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the camera's elevation (m)</source>
         <translation>Incertidumbre de la altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Desviación típica.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2864,6 +2964,11 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Un punto con altitud es una cumbre si el terreno en su lugar es más bajo. Entonces se traslada a la cima cercana del MDE, como en &lt;i&gt;Rotular cimas en las fotos&lt;/i&gt;: las posiciones publicadas y los MDE gruesos difieren en cientos de metros.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: los píxeles por metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, que puede usar para relaciones con ambas capas.</translation>
     </message>
@@ -2881,6 +2986,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Se copia a la tabla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Los puntos con una altitud que su terreno no alcanza son cumbres. NULL: el punto está sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3091,6 +3201,36 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
+        <source>Pitch, lower end of the 90 % interval (°)</source>
+        <translation>Cabeceo, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch, upper end of the 90 % interval (°)</source>
+        <translation>Cabeceo, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, lower end of the 90 % interval (°)</source>
+        <translation>Alabeo, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, upper end of the 90 % interval (°)</source>
+        <translation>Alabeo, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, lower end of the 90 % interval (°)</source>
+        <translation>Ángulo de visión horizontal, extremo inferior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, upper end of the 90 % interval (°)</source>
+        <translation>Ángulo de visión horizontal, extremo superior del intervalo del 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
         <source>Probability that the heading is right within 3°</source>
         <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
     </message>
@@ -3204,6 +3344,11 @@
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La foto no tiene posición GPS. Indíquela con un punto en una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
+        <translation>La línea del horizonte dibujada sobresale de la imagen de {width} x {height} píxeles. Dibújela sobre esta imagen, no sobre una copia reducida o girada.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3671,6 +3816,16 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
+        <translation>El punto de referencia {number} está fuera de la imagen de {width} x {height} píxeles y no se ha usado. Compruebe que su píxel pertenece a esta imagen y no a una copia reducida o girada.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} contradicts the picture, in which the skyline alone decides the heading: its map point lies {count} degrees in azimuth from its pixel. It was not used. Check the pixel and the map point.</source>
+        <translation>El punto de referencia {number} contradice la imagen, en la que la línea del horizonte decide por sí sola el rumbo: su punto del mapa está a {count} grados de acimut de su píxel. No se ha usado. Compruebe el píxel y el punto del mapa.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies {count} pixels from its predicted position.</source>
         <translation>El punto de referencia {number} está a {count} píxeles de su posición prevista.</translation>
     </message>
@@ -3871,21 +4026,6 @@
         <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Todos los números</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>accepted</source>
-        <translation>aceptada</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>ambiguous</source>
-        <translation>ambigua</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>rejected</source>
-        <translation>rechazada</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

@@ -382,6 +382,11 @@
     </message>
     <message>
         <location filename="../algorithms/drape_photo.py"/>
+        <source>Sky is not draped: a cell whose pixel lies above the skyline of the picture stays transparent.</source>
+        <translation>Le ciel n'est pas drapé : une cellule dont le pixel se trouve au-dessus de la ligne d'horizon de l'image reste transparente.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
         <source>The second raster gives the ground sampling distance of the best photo in metres per pixel: band 1 across the line of sight, band 2 along it on the slope, which is long if the line of sight grazes the ground. Trees and people in the picture are draped too, because the DEM does not contain them.</source>
         <translation>Le second raster donne la résolution au sol de la meilleure photo en mètres par pixel : bande 1 en travers de la ligne de visée, bande 2 le long de celle-ci sur la pente, grande si la ligne de visée rase le terrain. Les arbres et les personnes de l'image sont drapés aussi, car le MNT ne les contient pas.</translation>
     </message>
@@ -440,6 +445,11 @@
         <location filename="../algorithms/drape_photo.py"/>
         <source>The point names no photo.</source>
         <translation>Le point ne désigne aucune photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/drape_photo.py"/>
+        <source>{share} % of the ground in view lies where the picture shows sky, and was not draped. Check the heading, the pitch and the elevation of the camera.</source>
+        <translation>{share} % du terrain visible tombent là où l'image montre le ciel et n'ont pas été drapés. Vérifiez l'azimut de visée, le tangage et l'altitude de l'appareil.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1290,8 +1300,8 @@
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
-        <source>None of the points is an oriented photo on this DEM.</source>
-        <translation>Aucun des points n'est une photo orientée sur ce MNT.</translation>
+        <source>None of the points is an oriented photo of a chosen status on this DEM.</source>
+        <translation>Aucun des points n'est une photo orientée ayant un statut choisi sur ce MNT.</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
@@ -1692,6 +1702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
+        <source>confirmed by a person</source>
+        <translation>confirmée par une personne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
         <source>ambiguous: look at the report</source>
         <translation>ambiguë : voir le rapport</translation>
     </message>
@@ -1797,8 +1812,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What the pixel shows: ground, sky, void, beyond the DEM</source>
-        <translation>Ce que montre le pixel : ground (sol), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+        <source>What the pixel shows: ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Ce que montre le pixel : ground (terrain), sky (ciel), void (lacune), beyond (au-delà du MNT), outside (hors de l'image)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1848,8 +1863,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>What it shows: ground, partly ground, sky, void, beyond the DEM</source>
-        <translation>Ce qu'il montre : ground (sol), partly ground (sol en partie), sky (ciel), void (lacune du MNT), beyond (au-delà du MNT)</translation>
+        <source>What it shows: ground, partly ground, sky, void, beyond the DEM, outside the frame</source>
+        <translation>Ce qu'il montre : ground (terrain), partly ground (terrain en partie), sky (ciel), void (lacune), beyond (au-delà du MNT), outside (hors de l'image)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
@@ -1890,6 +1905,11 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>No oriented photo point for: {names}</source>
         <translation>Pas de point de photo orientée pour : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/monoplotting.py"/>
+        <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
+        <translation>{count} objets image sur {total} dépassent de l'image de {width} x {height} pixels ; rien n'est placé en dehors. Vérifiez qu'ils ont été dessinés sur cette image et non sur une copie réduite, recadrée ou tournée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2071,6 +2091,40 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Photo frame: ground inside the picture, with pitch, roll and both fields of view. Heading wedge: all ground within the horizontal field of view. Full circle: all that can be seen from the place.</source>
         <translation>Cadre de la photo : terrain dans l'image, avec tangage, roulis et les deux angles de champ. Secteur de visée : tout le terrain dans l'angle de champ horizontal. Cercle complet : tout ce qui se voit depuis le lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>accepted</source>
+        <translation>acceptée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>confirmed</source>
+        <translation>confirmée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>ambiguous</source>
+        <translation>ambiguë</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>rejected</source>
+        <translation>rejetée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos by status</source>
+        <translation>Photos par statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Photos whose field status has one of these values are used; the log counts those that are left out. Photos of a layer without this field are all used.</source>
+        <translation>Les photos dont le champ status a l'une de ces valeurs sont utilisées ; le journal compte celles qui sont écartées. Les photos d'une couche sans ce champ sont toutes utilisées.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2299,6 +2353,36 @@
         <translation>La table des lignes d'horizon ne contient pas cette photo ; aucun terrain n'est donc exclu.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos get no viewshed because of their status: {parts}.</source>
+        <translation>{count} photos sur {total} n'obtiennent pas de bassin visuel à cause de leur statut : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To compute their viewsheds all the same, tick "Viewsheds of doubtful photos too" under Advanced (parameter DOUBTFUL).</source>
+        <translation>Leurs azimuts de visée sont douteux : vérifiez-les dans le rapport. Pour calculer quand même leurs bassins visuels, cochez « Bassins visuels des photos douteuses aussi » sous Avancé (paramètre DOUBTFUL).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>{count} of {total} photos are left out because of their status: {parts}.</source>
+        <translation>{count} photos sur {total} sont écartées à cause de leur statut : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>No photo is used, so the result is empty. {reason}</source>
+        <translation>Aucune photo n'est utilisée, le résultat est donc vide. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Their headings are doubtful: check them in the report. To use them all the same, tick their statuses in "Photos by status" under Advanced (parameter STATUSES).</source>
+        <translation>Leurs azimuts de visée sont douteux : vérifiez-les dans le rapport. Pour les utiliser quand même, cochez leurs statuts dans « Photos par statut » sous Avancé (paramètre STATUSES).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/statuses.py"/>
+        <source>Photos with the status failed have no heading and cannot be used.</source>
+        <translation>Les photos de statut failed n'ont pas d'azimut de visée et ne peuvent pas être utilisées.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Sommets</translation>
@@ -2315,6 +2399,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../algorithms/which_photos.py"/>
         <source>Field with heights (m)</source>
         <translation>Champ des altitudes (m)</translation>
     </message>
@@ -2386,8 +2471,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
-        <source>Standard deviation.</source>
-        <translation>Écart type.</translation>
+        <source>Standard deviation, used if the points have no pitch_lo and pitch_hi.</source>
+        <translation>Écart type, utilisé si les points n'ont pas pitch_lo et pitch_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2396,8 +2481,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no roll_lo and roll_hi.</source>
+        <translation>Écart type, utilisé si les points n'ont pas roll_lo et roll_hi.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the focal length (%)</source>
         <translation>Incertitude de la focale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation, used if the points have no hfov_lo and hfov_hi.</source>
+        <translation>Écart type, utilisé si les points n'ont pas hfov_lo et hfov_hi.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2413,6 +2508,11 @@
         <location filename="../algorithms/shared/views.py"/>
         <source>Uncertainty of the camera's elevation (m)</source>
         <translation>Incertitude de l'altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/views.py"/>
+        <source>Standard deviation.</source>
+        <translation>Écart type.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/views.py"/>
@@ -2864,6 +2964,11 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Un point doté d'une altitude est un sommet si le terrain à sa place est plus bas. Il est alors déplacé vers le point culminant voisin du MNT, comme dans &lt;i&gt;Étiqueter les sommets dans les photos&lt;/i&gt; : les positions publiées et les MNT grossiers diffèrent de centaines de mètres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : les pixels par mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, que vous pouvez utiliser pour des relations avec les deux couches.</translation>
     </message>
@@ -2881,6 +2986,11 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Copié dans la table.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Les points dont le terrain n'atteint pas l'altitude sont des sommets. NULL : le point est sur le terrain.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3091,6 +3201,36 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
+        <source>Pitch, lower end of the 90 % interval (°)</source>
+        <translation>Tangage, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch, upper end of the 90 % interval (°)</source>
+        <translation>Tangage, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, lower end of the 90 % interval (°)</source>
+        <translation>Roulis, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll, upper end of the 90 % interval (°)</source>
+        <translation>Roulis, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, lower end of the 90 % interval (°)</source>
+        <translation>Angle de champ horizontal, borne inférieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view, upper end of the 90 % interval (°)</source>
+        <translation>Angle de champ horizontal, borne supérieure de l'intervalle à 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../core/base/attributes.py"/>
         <source>Probability that the heading is right within 3°</source>
         <translation>Probabilité que l'azimut soit juste à 3° près</translation>
     </message>
@@ -3204,6 +3344,11 @@
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La photo n'a pas de position GPS. Indiquez-la par un point dans une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
+        <translation>La ligne d'horizon dessinée dépasse de l'image de {width} x {height} pixels. Dessinez-la sur cette image, et non sur une copie réduite ou tournée.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3671,6 +3816,16 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
+        <translation>Le point de repère {number} est hors de l'image de {width} x {height} pixels et n'a pas été utilisé. Vérifiez que son pixel appartient à cette image et non à une copie réduite ou tournée.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
+        <source>Landmark {number} contradicts the picture, in which the skyline alone decides the heading: its map point lies {count} degrees in azimuth from its pixel. It was not used. Check the pixel and the map point.</source>
+        <translation>Le point de repère {number} contredit l'image, dans laquelle la ligne d'horizon suffit à déterminer l'azimut de visée : son point sur la carte s'écarte de {count} degrés en azimut de son pixel. Il n'a pas été utilisé. Vérifiez le pixel et le point sur la carte.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies {count} pixels from its predicted position.</source>
         <translation>Le point de repère {number} se trouve à {count} pixels de sa position prévue.</translation>
     </message>
@@ -3871,21 +4026,6 @@
         <location filename="../core/report/card.py"/>
         <source>All numbers</source>
         <translation>Tous les chiffres</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>accepted</source>
-        <translation>acceptée</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>ambiguous</source>
-        <translation>ambiguë</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>rejected</source>
-        <translation>rejetée</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

@@ -81,7 +81,15 @@ class PoseUncertainty:
         return replace(self, heading_deg=float(width / (2 * Z_90)))
 
     def with_interval(self, name: str, low: float, high: float) -> PoseUncertainty:
-        """Derive one standard deviation, named as in this class, from the ends of a 90 % interval."""
+        """Derive one standard deviation from a 90 % interval.
+
+        Parameters
+        ----------
+        name : str
+            One of `LARGEST`.
+        low, high : float
+            Ends of the interval [degrees], or of the logarithm of the focal length.
+        """
         return replace(self, **{name: min(max(high - low, 0.0) / (2 * Z_90), LARGEST[name])})
 
     def with_position_radius(self, radius_m: float) -> PoseUncertainty:
