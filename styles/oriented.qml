@@ -1,26 +1,27 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis hasScaleBasedVisibilityFlag="0" simplifyMaxScale="1" symbologyReferenceScale="-1" styleCategories="AllStyleCategories" simplifyDrawingHints="1" maxScale="0" simplifyLocal="1" readOnly="0" minScale="100000000" simplifyAlgorithm="0" simplifyDrawingTol="1" labelsEnabled="0" version="3.22.16-Białowieża">
+<qgis simplifyDrawingTol="1" labelsEnabled="0" simplifyLocal="1" simplifyDrawingHints="1" simplifyAlgorithm="0" simplifyMaxScale="1" symbologyReferenceScale="-1" minScale="100000000" version="3.22.16-Białowieża" styleCategories="AllStyleCategories" hasScaleBasedVisibilityFlag="0" maxScale="0" readOnly="0">
   <flags>
     <Identifiable>1</Identifiable>
     <Removable>1</Removable>
     <Searchable>1</Searchable>
     <Private>0</Private>
   </flags>
-  <temporal enabled="0" limitMode="0" fixedDuration="0" endField="" durationField="" startExpression="" mode="0" startField="" durationUnit="min" endExpression="" accumulate="0">
+  <temporal limitMode="0" startField="" durationField="" enabled="0" endExpression="" startExpression="" durationUnit="min" fixedDuration="0" accumulate="0" mode="0" endField="">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <renderer-v2 type="categorizedSymbol" referencescale="-1" symbollevels="0" attr="status" enableorderby="0" forceraster="0">
+  <renderer-v2 type="categorizedSymbol" referencescale="-1" enableorderby="0" attr="status" forceraster="0" symbollevels="0">
     <categories>
-      <category render="true" label="accepted: trust it" symbol="0" value="accepted"/>
-      <category render="true" label="ambiguous: look at the report" symbol="1" value="ambiguous"/>
-      <category render="true" label="rejected: no answer" symbol="2" value="rejected"/>
-      <category render="true" label="failed: input at fault" symbol="3" value="failed"/>
+      <category symbol="0" value="accepted" render="true" label="accepted: trust it"/>
+      <category symbol="1" value="confirmed" render="true" label="confirmed by a person"/>
+      <category symbol="2" value="ambiguous" render="true" label="ambiguous: look at the report"/>
+      <category symbol="3" value="rejected" render="true" label="rejected: no answer"/>
+      <category symbol="4" value="failed" render="true" label="failed: input at fault"/>
     </categories>
     <symbols>
-      <symbol type="marker" clip_to_extent="1" name="0" alpha="1" force_rhr="0">
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="0">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -28,7 +29,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -44,7 +45,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" clip_to_extent="1" name="@0@0" alpha="1" force_rhr="0">
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@0@0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -52,7 +53,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="31,138,91,70"/>
@@ -98,7 +99,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="31,138,91,255"/>
@@ -152,7 +153,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" clip_to_extent="1" name="1" alpha="1" force_rhr="0">
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="1">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -160,7 +161,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -176,7 +177,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" clip_to_extent="1" name="@1@0" alpha="1" force_rhr="0">
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@1@0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -184,7 +185,139 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
+              <Option type="Map">
+                <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="color" value="11,107,203,70"/>
+                <Option type="QString" name="joinstyle" value="bevel"/>
+                <Option type="QString" name="offset" value="0,0"/>
+                <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="offset_unit" value="MM"/>
+                <Option type="QString" name="outline_color" value="11,107,203,255"/>
+                <Option type="QString" name="outline_style" value="solid"/>
+                <Option type="QString" name="outline_width" value="0.3"/>
+                <Option type="QString" name="outline_width_unit" value="MM"/>
+                <Option type="QString" name="style" value="solid"/>
+              </Option>
+              <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="color" v="11,107,203,70"/>
+              <prop k="joinstyle" v="bevel"/>
+              <prop k="offset" v="0,0"/>
+              <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="offset_unit" v="MM"/>
+              <prop k="outline_color" v="11,107,203,255"/>
+              <prop k="outline_style" v="solid"/>
+              <prop k="outline_width" v="0.3"/>
+              <prop k="outline_width_unit" v="MM"/>
+              <prop k="style" v="solid"/>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option type="QString" name="name" value=""/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '11,107,203,70')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '11,107,203,255')"/>
+                      <Option type="int" name="type" value="3"/>
+                    </Option>
+                  </Option>
+                  <Option type="QString" name="type" value="collection"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+          </symbol>
+        </layer>
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
+          <Option type="Map">
+            <Option type="QString" name="angle" value="0"/>
+            <Option type="QString" name="color" value="11,107,203,255"/>
+            <Option type="QString" name="fixedAspectRatio" value="0"/>
+            <Option type="QString" name="horizontal_anchor_point" value="1"/>
+            <Option type="QString" name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
+            <Option type="QString" name="offset" value="0,0"/>
+            <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="offset_unit" value="MM"/>
+            <Option type="QString" name="outline_color" value="255,255,255,255"/>
+            <Option type="QString" name="outline_width" value="0.2"/>
+            <Option type="QString" name="outline_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="outline_width_unit" value="MM"/>
+            <Option name="parameters"/>
+            <Option type="QString" name="scale_method" value="diameter"/>
+            <Option type="QString" name="size" value="5"/>
+            <Option type="QString" name="size_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="size_unit" value="MM"/>
+            <Option type="QString" name="vertical_anchor_point" value="1"/>
+          </Option>
+          <prop k="angle" v="0"/>
+          <prop k="color" v="11,107,203,255"/>
+          <prop k="fixedAspectRatio" v="0"/>
+          <prop k="horizontal_anchor_point" v="1"/>
+          <prop k="name" v="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="255,255,255,255"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="parameters" v=""/>
+          <prop k="scale_method" v="diameter"/>
+          <prop k="size" v="5"/>
+          <prop k="size_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="size_unit" v="MM"/>
+          <prop k="vertical_anchor_point" v="1"/>
+          <data_defined_properties>
+            <Option type="Map">
+              <Option type="QString" name="name" value=""/>
+              <Option type="Map" name="properties">
+                <Option type="Map" name="angle">
+                  <Option type="bool" name="active" value="true"/>
+                  <Option type="QString" name="expression" value="coalesce(&quot;heading&quot;, 0)"/>
+                  <Option type="int" name="type" value="3"/>
+                </Option>
+              </Option>
+              <Option type="QString" name="type" value="collection"/>
+            </Option>
+          </data_defined_properties>
+        </layer>
+      </symbol>
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="2">
+        <data_defined_properties>
+          <Option type="Map">
+            <Option type="QString" name="name" value=""/>
+            <Option name="properties"/>
+            <Option type="QString" name="type" value="collection"/>
+          </Option>
+        </data_defined_properties>
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
+          <Option type="Map">
+            <Option type="QString" name="SymbolType" value="Fill"/>
+            <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
+            <Option type="QString" name="units" value="MM"/>
+          </Option>
+          <prop k="SymbolType" v="Fill"/>
+          <prop k="geometryModifier" v="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
+          <prop k="units" v="MM"/>
+          <data_defined_properties>
+            <Option type="Map">
+              <Option type="QString" name="name" value=""/>
+              <Option name="properties"/>
+              <Option type="QString" name="type" value="collection"/>
+            </Option>
+          </data_defined_properties>
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@2@0">
+            <data_defined_properties>
+              <Option type="Map">
+                <Option type="QString" name="name" value=""/>
+                <Option name="properties"/>
+                <Option type="QString" name="type" value="collection"/>
+              </Option>
+            </data_defined_properties>
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="230,159,0,70"/>
@@ -230,7 +363,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="230,159,0,255"/>
@@ -284,7 +417,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" clip_to_extent="1" name="2" alpha="1" force_rhr="0">
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="3">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -292,7 +425,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -308,7 +441,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" clip_to_extent="1" name="@2@0" alpha="1" force_rhr="0">
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@3@0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -316,7 +449,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="122,127,133,70"/>
@@ -362,7 +495,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="122,127,133,255"/>
@@ -416,7 +549,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol type="marker" clip_to_extent="1" name="3" alpha="1" force_rhr="0">
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="4">
         <data_defined_properties>
           <Option type="Map">
             <Option type="QString" name="name" value=""/>
@@ -424,7 +557,7 @@
             <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="SymbolType" value="Fill"/>
             <Option type="QString" name="geometryModifier" value="if(&quot;heading&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;heading&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
@@ -440,7 +573,7 @@
               <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" clip_to_extent="1" name="@3@0" alpha="1" force_rhr="0">
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@4@0">
             <data_defined_properties>
               <Option type="Map">
                 <Option type="QString" name="name" value=""/>
@@ -448,7 +581,7 @@
                 <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
               <Option type="Map">
                 <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
                 <Option type="QString" name="color" value="192,57,43,70"/>
@@ -494,7 +627,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
           <Option type="Map">
             <Option type="QString" name="angle" value="0"/>
             <Option type="QString" name="color" value="192,57,43,255"/>
@@ -564,7 +697,7 @@
     </activeChecks>
     <checkConfiguration/>
   </geometryOptions>
-  <legend showLabelLegend="0" type="default-vector"/>
+  <legend type="default-vector" showLabelLegend="0"/>
   <referencedLayers/>
   <fieldConfiguration>
     <field name="photo" configurationFlags="None">
@@ -736,6 +869,48 @@
         </config>
       </editWidget>
     </field>
+    <field name="pitch_lo" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field name="pitch_hi" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field name="roll_lo" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field name="roll_hi" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field name="hfov_lo" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
+    <field name="hfov_hi" configurationFlags="None">
+      <editWidget type="">
+        <config>
+          <Option/>
+        </config>
+      </editWidget>
+    </field>
     <field name="p_correct" configurationFlags="None">
       <editWidget type="">
         <config>
@@ -822,152 +997,176 @@
     </field>
   </fieldConfiguration>
   <aliases>
-    <alias name="Photo" index="0" field="photo"/>
-    <alias name="Name" index="1" field="filename"/>
-    <alias name="Folder" index="2" field="directory"/>
-    <alias name="GPS altitude (m)" index="3" field="altitude"/>
-    <alias name="Recorded heading (°)" index="4" field="direction"/>
-    <alias name="Rotation by EXIF (°)" index="5" field="rotation"/>
-    <alias name="Longitude (°)" index="6" field="longitude"/>
-    <alias name="Latitude (°)" index="7" field="latitude"/>
-    <alias name="Taken at (camera's local time)" index="8" field="timestamp"/>
-    <alias name="35 mm equivalent focal length (mm)" index="9" field="f35"/>
-    <alias name="Heading (° from true north)" index="10" field="heading"/>
-    <alias name="Pitch (°, + up)" index="11" field="pitch"/>
-    <alias name="Roll (°, + right side down)" index="12" field="roll"/>
-    <alias name="Horizontal field of view (°)" index="13" field="hfov"/>
-    <alias name="Vertical field of view (°)" index="14" field="vfov"/>
-    <alias name="Correlation of skylines" index="15" field="ncc"/>
-    <alias name="Correlation of the second-best heading" index="16" field="ncc_2nd"/>
-    <alias name="Second-best heading (°)" index="17" field="heading_2"/>
-    <alias name="Third-best heading (°)" index="18" field="heading_3"/>
-    <alias name="Sharpness of the correlation peak" index="19" field="sharpness"/>
-    <alias name="Heading, lower end of the 90 % interval (°)" index="20" field="heading_lo"/>
-    <alias name="Heading, upper end of the 90 % interval (°)" index="21" field="heading_hi"/>
-    <alias name="Probability that the heading is right within 3°" index="22" field="p_correct"/>
-    <alias name="Status" index="23" field="status"/>
-    <alias name="Message" index="24" field="message"/>
-    <alias name="Recorded heading (° from true north)" index="25" field="compass"/>
-    <alias name="Recorded minus found heading (°)" index="26" field="compass_df"/>
-    <alias name="Grid convergence of the DEM (°)" index="27" field="grid_conv"/>
-    <alias name="Distance of the horizon at the heading (m)" index="28" field="horizon_m"/>
-    <alias name="Elevation of the camera (m)" index="29" field="eye_z"/>
-    <alias name="Camera above the DEM (m), for Visibility Analysis" index="30" field="observ_hgt"/>
-    <alias name="Search range (m), for Visibility Analysis" index="31" field="radius"/>
-    <alias name="Left edge of view (° from grid north), for Visibility Analysis" index="32" field="azim_1"/>
-    <alias name="Right edge of view (° from grid north), for Visibility Analysis" index="33" field="azim_2"/>
+    <alias name="Photo" field="photo" index="0"/>
+    <alias name="Name" field="filename" index="1"/>
+    <alias name="Folder" field="directory" index="2"/>
+    <alias name="GPS altitude (m)" field="altitude" index="3"/>
+    <alias name="Recorded heading (°)" field="direction" index="4"/>
+    <alias name="Rotation by EXIF (°)" field="rotation" index="5"/>
+    <alias name="Longitude (°)" field="longitude" index="6"/>
+    <alias name="Latitude (°)" field="latitude" index="7"/>
+    <alias name="Taken at (camera's local time)" field="timestamp" index="8"/>
+    <alias name="35 mm equivalent focal length (mm)" field="f35" index="9"/>
+    <alias name="Heading (° from true north)" field="heading" index="10"/>
+    <alias name="Pitch (°, + up)" field="pitch" index="11"/>
+    <alias name="Roll (°, + right side down)" field="roll" index="12"/>
+    <alias name="Horizontal field of view (°)" field="hfov" index="13"/>
+    <alias name="Vertical field of view (°)" field="vfov" index="14"/>
+    <alias name="Correlation of skylines" field="ncc" index="15"/>
+    <alias name="Correlation of the second-best heading" field="ncc_2nd" index="16"/>
+    <alias name="Second-best heading (°)" field="heading_2" index="17"/>
+    <alias name="Third-best heading (°)" field="heading_3" index="18"/>
+    <alias name="Sharpness of the correlation peak" field="sharpness" index="19"/>
+    <alias name="Heading, lower end of the 90 % interval (°)" field="heading_lo" index="20"/>
+    <alias name="Heading, upper end of the 90 % interval (°)" field="heading_hi" index="21"/>
+    <alias name="Pitch, lower end of the 90 % interval (°)" field="pitch_lo" index="22"/>
+    <alias name="Pitch, upper end of the 90 % interval (°)" field="pitch_hi" index="23"/>
+    <alias name="Roll, lower end of the 90 % interval (°)" field="roll_lo" index="24"/>
+    <alias name="Roll, upper end of the 90 % interval (°)" field="roll_hi" index="25"/>
+    <alias name="Horizontal field of view, lower end of the 90 % interval (°)" field="hfov_lo" index="26"/>
+    <alias name="Horizontal field of view, upper end of the 90 % interval (°)" field="hfov_hi" index="27"/>
+    <alias name="Probability that the heading is right within 3°" field="p_correct" index="28"/>
+    <alias name="Status" field="status" index="29"/>
+    <alias name="Message" field="message" index="30"/>
+    <alias name="Recorded heading (° from true north)" field="compass" index="31"/>
+    <alias name="Recorded minus found heading (°)" field="compass_df" index="32"/>
+    <alias name="Grid convergence of the DEM (°)" field="grid_conv" index="33"/>
+    <alias name="Distance of the horizon at the heading (m)" field="horizon_m" index="34"/>
+    <alias name="Elevation of the camera (m)" field="eye_z" index="35"/>
+    <alias name="Camera above the DEM (m), for Visibility Analysis" field="observ_hgt" index="36"/>
+    <alias name="Search range (m), for Visibility Analysis" field="radius" index="37"/>
+    <alias name="Left edge of view (° from grid north), for Visibility Analysis" field="azim_1" index="38"/>
+    <alias name="Right edge of view (° from grid north), for Visibility Analysis" field="azim_2" index="39"/>
   </aliases>
   <defaults>
-    <default applyOnUpdate="0" expression="" field="photo"/>
-    <default applyOnUpdate="0" expression="" field="filename"/>
-    <default applyOnUpdate="0" expression="" field="directory"/>
-    <default applyOnUpdate="0" expression="" field="altitude"/>
-    <default applyOnUpdate="0" expression="" field="direction"/>
-    <default applyOnUpdate="0" expression="" field="rotation"/>
-    <default applyOnUpdate="0" expression="" field="longitude"/>
-    <default applyOnUpdate="0" expression="" field="latitude"/>
-    <default applyOnUpdate="0" expression="" field="timestamp"/>
-    <default applyOnUpdate="0" expression="" field="f35"/>
-    <default applyOnUpdate="0" expression="" field="heading"/>
-    <default applyOnUpdate="0" expression="" field="pitch"/>
-    <default applyOnUpdate="0" expression="" field="roll"/>
-    <default applyOnUpdate="0" expression="" field="hfov"/>
-    <default applyOnUpdate="0" expression="" field="vfov"/>
-    <default applyOnUpdate="0" expression="" field="ncc"/>
-    <default applyOnUpdate="0" expression="" field="ncc_2nd"/>
-    <default applyOnUpdate="0" expression="" field="heading_2"/>
-    <default applyOnUpdate="0" expression="" field="heading_3"/>
-    <default applyOnUpdate="0" expression="" field="sharpness"/>
-    <default applyOnUpdate="0" expression="" field="heading_lo"/>
-    <default applyOnUpdate="0" expression="" field="heading_hi"/>
-    <default applyOnUpdate="0" expression="" field="p_correct"/>
-    <default applyOnUpdate="0" expression="" field="status"/>
-    <default applyOnUpdate="0" expression="" field="message"/>
-    <default applyOnUpdate="0" expression="" field="compass"/>
-    <default applyOnUpdate="0" expression="" field="compass_df"/>
-    <default applyOnUpdate="0" expression="" field="grid_conv"/>
-    <default applyOnUpdate="0" expression="" field="horizon_m"/>
-    <default applyOnUpdate="0" expression="" field="eye_z"/>
-    <default applyOnUpdate="0" expression="" field="observ_hgt"/>
-    <default applyOnUpdate="0" expression="" field="radius"/>
-    <default applyOnUpdate="0" expression="" field="azim_1"/>
-    <default applyOnUpdate="0" expression="" field="azim_2"/>
+    <default expression="" field="photo" applyOnUpdate="0"/>
+    <default expression="" field="filename" applyOnUpdate="0"/>
+    <default expression="" field="directory" applyOnUpdate="0"/>
+    <default expression="" field="altitude" applyOnUpdate="0"/>
+    <default expression="" field="direction" applyOnUpdate="0"/>
+    <default expression="" field="rotation" applyOnUpdate="0"/>
+    <default expression="" field="longitude" applyOnUpdate="0"/>
+    <default expression="" field="latitude" applyOnUpdate="0"/>
+    <default expression="" field="timestamp" applyOnUpdate="0"/>
+    <default expression="" field="f35" applyOnUpdate="0"/>
+    <default expression="" field="heading" applyOnUpdate="0"/>
+    <default expression="" field="pitch" applyOnUpdate="0"/>
+    <default expression="" field="roll" applyOnUpdate="0"/>
+    <default expression="" field="hfov" applyOnUpdate="0"/>
+    <default expression="" field="vfov" applyOnUpdate="0"/>
+    <default expression="" field="ncc" applyOnUpdate="0"/>
+    <default expression="" field="ncc_2nd" applyOnUpdate="0"/>
+    <default expression="" field="heading_2" applyOnUpdate="0"/>
+    <default expression="" field="heading_3" applyOnUpdate="0"/>
+    <default expression="" field="sharpness" applyOnUpdate="0"/>
+    <default expression="" field="heading_lo" applyOnUpdate="0"/>
+    <default expression="" field="heading_hi" applyOnUpdate="0"/>
+    <default expression="" field="pitch_lo" applyOnUpdate="0"/>
+    <default expression="" field="pitch_hi" applyOnUpdate="0"/>
+    <default expression="" field="roll_lo" applyOnUpdate="0"/>
+    <default expression="" field="roll_hi" applyOnUpdate="0"/>
+    <default expression="" field="hfov_lo" applyOnUpdate="0"/>
+    <default expression="" field="hfov_hi" applyOnUpdate="0"/>
+    <default expression="" field="p_correct" applyOnUpdate="0"/>
+    <default expression="" field="status" applyOnUpdate="0"/>
+    <default expression="" field="message" applyOnUpdate="0"/>
+    <default expression="" field="compass" applyOnUpdate="0"/>
+    <default expression="" field="compass_df" applyOnUpdate="0"/>
+    <default expression="" field="grid_conv" applyOnUpdate="0"/>
+    <default expression="" field="horizon_m" applyOnUpdate="0"/>
+    <default expression="" field="eye_z" applyOnUpdate="0"/>
+    <default expression="" field="observ_hgt" applyOnUpdate="0"/>
+    <default expression="" field="radius" applyOnUpdate="0"/>
+    <default expression="" field="azim_1" applyOnUpdate="0"/>
+    <default expression="" field="azim_2" applyOnUpdate="0"/>
   </defaults>
   <constraints>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="photo"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="filename"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="directory"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="altitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="direction"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="rotation"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="longitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="latitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="timestamp"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="f35"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="pitch"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="roll"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="hfov"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="vfov"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="ncc"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="ncc_2nd"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_2"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_3"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="sharpness"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_lo"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="heading_hi"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="p_correct"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="status"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="message"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="compass"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="compass_df"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="grid_conv"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="horizon_m"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="eye_z"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="observ_hgt"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="radius"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="azim_1"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="azim_2"/>
+    <constraint unique_strength="0" exp_strength="0" field="photo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="filename" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="directory" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="altitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="direction" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="rotation" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="longitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="latitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="timestamp" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="f35" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="heading" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="pitch" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="roll" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="hfov" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="vfov" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="ncc" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="ncc_2nd" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="heading_2" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="heading_3" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="sharpness" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="heading_lo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="heading_hi" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="pitch_lo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="pitch_hi" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="roll_lo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="roll_hi" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="hfov_lo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="hfov_hi" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="p_correct" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="status" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="message" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="compass" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="compass_df" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="grid_conv" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="horizon_m" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="eye_z" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="observ_hgt" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="radius" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="azim_1" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="azim_2" notnull_strength="0" constraints="0"/>
   </constraints>
   <constraintExpressions>
-    <constraint exp="" desc="" field="photo"/>
-    <constraint exp="" desc="" field="filename"/>
-    <constraint exp="" desc="" field="directory"/>
-    <constraint exp="" desc="" field="altitude"/>
-    <constraint exp="" desc="" field="direction"/>
-    <constraint exp="" desc="" field="rotation"/>
-    <constraint exp="" desc="" field="longitude"/>
-    <constraint exp="" desc="" field="latitude"/>
-    <constraint exp="" desc="" field="timestamp"/>
-    <constraint exp="" desc="" field="f35"/>
-    <constraint exp="" desc="" field="heading"/>
-    <constraint exp="" desc="" field="pitch"/>
-    <constraint exp="" desc="" field="roll"/>
-    <constraint exp="" desc="" field="hfov"/>
-    <constraint exp="" desc="" field="vfov"/>
-    <constraint exp="" desc="" field="ncc"/>
-    <constraint exp="" desc="" field="ncc_2nd"/>
-    <constraint exp="" desc="" field="heading_2"/>
-    <constraint exp="" desc="" field="heading_3"/>
-    <constraint exp="" desc="" field="sharpness"/>
-    <constraint exp="" desc="" field="heading_lo"/>
-    <constraint exp="" desc="" field="heading_hi"/>
-    <constraint exp="" desc="" field="p_correct"/>
-    <constraint exp="" desc="" field="status"/>
-    <constraint exp="" desc="" field="message"/>
-    <constraint exp="" desc="" field="compass"/>
-    <constraint exp="" desc="" field="compass_df"/>
-    <constraint exp="" desc="" field="grid_conv"/>
-    <constraint exp="" desc="" field="horizon_m"/>
-    <constraint exp="" desc="" field="eye_z"/>
-    <constraint exp="" desc="" field="observ_hgt"/>
-    <constraint exp="" desc="" field="radius"/>
-    <constraint exp="" desc="" field="azim_1"/>
-    <constraint exp="" desc="" field="azim_2"/>
+    <constraint desc="" field="photo" exp=""/>
+    <constraint desc="" field="filename" exp=""/>
+    <constraint desc="" field="directory" exp=""/>
+    <constraint desc="" field="altitude" exp=""/>
+    <constraint desc="" field="direction" exp=""/>
+    <constraint desc="" field="rotation" exp=""/>
+    <constraint desc="" field="longitude" exp=""/>
+    <constraint desc="" field="latitude" exp=""/>
+    <constraint desc="" field="timestamp" exp=""/>
+    <constraint desc="" field="f35" exp=""/>
+    <constraint desc="" field="heading" exp=""/>
+    <constraint desc="" field="pitch" exp=""/>
+    <constraint desc="" field="roll" exp=""/>
+    <constraint desc="" field="hfov" exp=""/>
+    <constraint desc="" field="vfov" exp=""/>
+    <constraint desc="" field="ncc" exp=""/>
+    <constraint desc="" field="ncc_2nd" exp=""/>
+    <constraint desc="" field="heading_2" exp=""/>
+    <constraint desc="" field="heading_3" exp=""/>
+    <constraint desc="" field="sharpness" exp=""/>
+    <constraint desc="" field="heading_lo" exp=""/>
+    <constraint desc="" field="heading_hi" exp=""/>
+    <constraint desc="" field="pitch_lo" exp=""/>
+    <constraint desc="" field="pitch_hi" exp=""/>
+    <constraint desc="" field="roll_lo" exp=""/>
+    <constraint desc="" field="roll_hi" exp=""/>
+    <constraint desc="" field="hfov_lo" exp=""/>
+    <constraint desc="" field="hfov_hi" exp=""/>
+    <constraint desc="" field="p_correct" exp=""/>
+    <constraint desc="" field="status" exp=""/>
+    <constraint desc="" field="message" exp=""/>
+    <constraint desc="" field="compass" exp=""/>
+    <constraint desc="" field="compass_df" exp=""/>
+    <constraint desc="" field="grid_conv" exp=""/>
+    <constraint desc="" field="horizon_m" exp=""/>
+    <constraint desc="" field="eye_z" exp=""/>
+    <constraint desc="" field="observ_hgt" exp=""/>
+    <constraint desc="" field="radius" exp=""/>
+    <constraint desc="" field="azim_1" exp=""/>
+    <constraint desc="" field="azim_2" exp=""/>
   </constraintExpressions>
   <expressionfields/>
   <attributeactions/>
-  <attributetableconfig sortExpression="" actionWidgetStyle="dropDown" sortOrder="0">
+  <attributetableconfig sortOrder="0" sortExpression="" actionWidgetStyle="dropDown">
     <columns/>
   </attributetableconfig>
   <conditionalstyles>

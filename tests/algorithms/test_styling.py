@@ -10,6 +10,7 @@ import pytest
 from qgis.core import QgsProcessingContext, QgsProject, QgsRasterLayer
 from qgis.PyQt.QtGui import QColor
 from skyline_viewshed.algorithms.shared.styling import STYLES, dress_file, style_on_completion
+from skyline_viewshed.core.base.status import STATUSES
 from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.viewshed_raster import LayerStack, write_layers
@@ -116,3 +117,10 @@ def test_styles_have_classes_at_their_ends_as_the_dialog_of_symbology_shows_them
     for path in STYLES.glob("*.qml"):
         for end in re.findall(r'classificationM(?:in|ax)="([^"]*)"', path.read_text(encoding="utf-8")):
             assert math.isfinite(float(end)), path.name
+
+
+def test_the_style_of_oriented_photos_has_a_colour_for_each_status():
+    text = (STYLES / "oriented.qml").read_text(encoding="utf-8")
+    categories = [dict(re.findall(r'(\w+)="([^"]*)"', found)) for found in re.findall(r"<category ([^>]*)/>", text)]
+    assert [category["value"] for category in categories] == list(STATUSES)
+    assert len({category["symbol"] for category in categories}) == len(STATUSES)

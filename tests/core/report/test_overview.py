@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
+from skyline_viewshed.core.report import overview
 from skyline_viewshed.core.report.facts import STATUSES, Summary
 from skyline_viewshed.core.report.overview import badge, bar, columns, number_cell, overview_table, switches
 
@@ -53,3 +55,13 @@ def test_every_status_has_a_switch_a_sign_and_a_word():
     assert len(inputs) == len(set(inputs)) and {f"show-{status}" for status in STATUSES} < set(inputs)
     assert switches().count(" checked") == 1 + 4
     assert len({badge(status) for status in STATUSES}) == len(STATUSES)
+
+
+def test_every_status_has_its_own_colours_in_the_style_sheet():
+    sheet = (Path(overview.__file__).parent / "report.css").read_text(encoding="utf-8")
+    for status in STATUSES:
+        assert f".is-{status} .badge{{background:var(--{status})}}" in sheet
+        assert f"#show-{status}:checked~.page .item:not(.is-{status})" in sheet
+        assert f"#show-{status}:checked~.bar [for=show-{status}]" in sheet
+        assert len(set(re.findall(rf"--{status}:(#\w+)", sheet))) == 2, "one for light pages and one for dark ones"
+    assert len({re.search(rf"--{status}:(#\w+)", sheet).group(1) for status in STATUSES}) == len(STATUSES)
