@@ -3816,6 +3816,11 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>At the landmark's heading the DEM horizon does not follow the skyline that was found in the picture. Check the landmark and the overlay, or give a second landmark, a sky mask or a drawn skyline.</source>
+        <translation>Bei der Blickrichtung der Landmarke folgt der Horizont des Höhenmodells nicht der Horizontlinie, die im Bild gefunden wurde. Prüfen Sie die Landmarke und die Überlagerung, oder geben Sie eine zweite Landmarke, eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
         <translation>Landmarke {number} liegt außerhalb des Bildes von {width} x {height} Pixeln und wurde nicht verwendet. Prüfen Sie, ob ihr Pixel zu diesem Bild gehört und nicht zu einer verkleinerten oder gedrehten Kopie.</translation>
     </message>

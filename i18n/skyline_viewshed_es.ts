@@ -3816,6 +3816,11 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>At the landmark's heading the DEM horizon does not follow the skyline that was found in the picture. Check the landmark and the overlay, or give a second landmark, a sky mask or a drawn skyline.</source>
+        <translation>Con el rumbo del punto de referencia, el horizonte del MDE no sigue la línea del horizonte hallada en la imagen. Compruebe el punto de referencia y la superposición, o dé un segundo punto de referencia, una máscara del cielo o una línea del horizonte dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
         <translation>El punto de referencia {number} está fuera de la imagen de {width} x {height} píxeles y no se ha usado. Compruebe que su píxel pertenece a esta imagen y no a una copia reducida o girada.</translation>
     </message>

@@ -3816,6 +3816,11 @@
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
+        <source>At the landmark's heading the DEM horizon does not follow the skyline that was found in the picture. Check the landmark and the overlay, or give a second landmark, a sky mask or a drawn skyline.</source>
+        <translation>À l'azimut donné par le point de repère, l'horizon du MNT ne suit pas la ligne d'horizon trouvée dans l'image. Vérifiez le point de repère et la superposition, ou donnez un deuxième point de repère, un masque du ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/landmarks.py"/>
         <source>Landmark {number} lies outside the picture of {width} x {height} pixels and was not used. Check that its pixel belongs to this picture, and not to a reduced or turned copy.</source>
         <translation>Le point de repère {number} est hors de l'image de {width} x {height} pixels et n'a pas été utilisé. Vérifiez que son pixel appartient à cette image et non à une copie réduite ou tournée.</translation>
     </message>

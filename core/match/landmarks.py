@@ -115,7 +115,20 @@ def match_with_landmarks(match, inputs, options, progress=SILENT):
             rematch = subtask(progress, 0.8, 1.0)
             found = match(replace(inputs, landmarks=rest), options, rematch) if rest else alone
             notes += tuple(_contradiction_note(mark, alone.best) for mark in wrong)
+        elif len(inside) == 1:
+            found = _doubted(found, options.posterior.least_ncc)
     return replace(found, notes=notes + found.notes)
+
+
+def _doubted(found, least_ncc):
+    """Take back the acceptance that rests on one landmark and contradicts the skyline; nothing else checks a slip."""
+    if found.status != "accepted" or found.ncc is None or found.ncc >= least_ncc:
+        return found
+    text = Message(
+        "At the landmark's heading the DEM horizon does not follow the skyline that was found in the picture. Check "
+        "the landmark and the overlay, or give a second landmark, a sky mask or a drawn skyline."
+    )
+    return replace(found, status="ambiguous", message=text, p_correct=None, heading_lo_deg=None, heading_hi_deg=None)
 
 
 def contradicting(landmarks, alone, found):

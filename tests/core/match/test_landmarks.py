@@ -89,6 +89,23 @@ def test_only_a_clear_answer_can_contradict_a_landmark(alone, found_ncc, contrad
     assert wrong == ((mark,) if contradicted else ())
 
 
+@pytest.mark.parametrize("count", [1, 2])
+def test_one_landmark_against_the_skyline_is_no_acceptance_and_two_that_agree_are(match_scenes, count):
+    """The rows are noise, so that landmarks alone give the heading; the line that was found is the true skyline."""
+    scene = match_scenes.scene(9, 222.0, 4.0, 2.0)
+    noise = np.random.default_rng(1).dirichlet(np.full(192, 0.05), size=256).T.astype(np.float32)
+    scene = replace(scene, evidence=replace(scene.evidence, probability=noise))
+    places = ((210.0, 5.0), (236.0, 8.0))[:count]
+    wrong = tuple(replace(seen_at(scene, *place), azimuth_deg=place[0] + 90.0) for place in places)
+    found = match_with_landmarks(match_robust, scene.inputs(landmarks=wrong), RobustOptions())
+    assert found.ncc < 0.4 and abs(found.best.pose.heading_deg - 312.0) < 3
+    if count == 1:
+        assert found.status == "ambiguous" and "does not follow the skyline" in found.message
+        assert (found.p_correct, found.heading_lo_deg, found.heading_hi_deg) == (None, None, None)
+    else:
+        assert found.status == "accepted"
+
+
 def seen_at(scene, azimuth_deg, elevation_deg):
     """Landmark where the scene's camera sees a direction."""
     x, y = project(scene.camera, scene.pose, azimuth_deg, elevation_deg)
