@@ -17,8 +17,8 @@ FOOT, SURVEY_FOOT = 0.3048, 1200 / 3937
 SPELLINGS = {
     1.0: "m mtr metre meter metres meters msl masl gpm metermsl 9001",
     FOOT: "ft foot feet fts international foot ft_i foot_international 9002",
-    SURVEY_FOOT: "ftus usft us_ft survey_foot us_survey_foot foot_us footus foot_us_survey ft_us sft sft_i us_foot feetus "
-    "us_feet survey_feet us_survey_feet u_s_foot u_s_survey_foot u_s_feet u_s_survey_feet surveyfoot 9003",
+    SURVEY_FOOT: "ftus usft us_ft survey_foot us_survey_foot foot_us footus foot_us_survey ft_us sft sft_i us_foot "
+    "feetus us_feet survey_feet us_survey_feet u_s_foot u_s_survey_foot u_s_feet u_s_survey_feet surveyfoot 9003",
     0.1: "dm decimetre decimeter decimetres decimeters",
     0.01: "cm centimetre centimeter centimetres centimeters 1033",
     0.001: "mm millimetre millimeter millimetres millimeters 1025",
@@ -126,7 +126,7 @@ def _vertical_of_file(dataset):
 
 
 def _of_sidecar(dataset):
-    """Give the unit in Esri's old .prj beside a grid (`Zunits FEET`, or units per metre), which GDAL does not read; None without one."""
+    """Give the unit in Esri's old .prj beside a grid (Zunits: a name, or units per metre), which GDAL ignores."""
     for path in dataset.GetFileList() or ():
         if not path.lower().endswith("prj.adf") and os.path.splitext(path)[1].lower() != ".prj":
             continue
