@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from contextlib import nullcontext
 from dataclasses import dataclass
 from math import inf, isnan
 from typing import Any
@@ -52,13 +54,28 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND", unit="DE
     ------
     QgsProcessingException
     """
-    layer = algorithm.parameterAsRasterLayer(parameters, name, context)
-    fault = layer_fault(layer)
-    if fault:
-        raise QgsProcessingException(fault)
+    with no_statistics_file(parameters.get(name)):
+        layer = algorithm.parameterAsRasterLayer(parameters, name, context)
+        fault = layer_fault(layer)
+        if fault:
+            raise QgsProcessingException(fault)
+        assigned = assigned_crs(layer)
     number = max(algorithm.parameterAsInt(parameters, band, context), 1)
     unit = dem_units()[algorithm.parameterAsEnum(parameters, unit, context)][0]
-    return DemSource(layer.source(), number, layer.crs(), assigned_crs(layer), reading_of(layer, number, unit))
+    return DemSource(layer.source(), number, layer.crs(), assigned, reading_of(layer, number, unit))
+
+
+def no_statistics_file(source):
+    """Keep QGIS from leaving the statistics that it computes for a layer in a new .aux.xml beside the user's file.
+
+    If there is one already it is left in use, because it may hold the CRS or the nodata value.
+    """
+    from ...core.io.gdal_quiet import split_options, without_sidecars
+
+    path = split_options(source)[0] if isinstance(source, str) else ""
+    if os.path.isfile(path) and not os.path.exists(f"{path}.aux.xml"):
+        return without_sidecars()
+    return nullcontext()
 
 
 def reading_of(layer, band, unit):
@@ -66,9 +83,9 @@ def reading_of(layer, band, unit):
     from ...core.io.dem_reading import DemReading
 
     provider = layer.dataProvider()
-    ranges = tuple(_limits(values) for values in provider.userNoDataValues(band)) if band <= provider.bandCount() else ()
+    given = provider.userNoDataValues(band) if band <= provider.bandCount() else ()
     own = not provider.sourceHasNoDataValue(band) or provider.useSourceNoDataValue(band)
-    return DemReading(unit, ranges, own)
+    return DemReading(unit, tuple(map(_limits, given)), own)
 
 
 def _limits(values):
@@ -79,8 +96,8 @@ def _limits(values):
 
 def assigned_crs(layer):
     """WKT of the layer's CRS if it differs from the one in its file, else None."""
-    options = QgsRasterLayer.LayerOptions(False)  # the default style needs statistics, which GDAL writes beside the file
-    own = QgsRasterLayer(layer.source(), "own", "gdal", options).crs()
+    with no_statistics_file(layer.source()):
+        own = QgsRasterLayer(layer.source(), "own", "gdal", QgsRasterLayer.LayerOptions(False)).crs()
     if not layer.crs().isValid() or layer.crs() == own:
         return None
     return layer.crs().toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)

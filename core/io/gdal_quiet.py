@@ -69,20 +69,29 @@ def open_quietly(path, drivers=(), options=()):
             return None
 
 
-@contextmanager
 def direct_reading():
     """Make GDAL bypass its block cache for uncompressed TIFFs that are opened within the block.
 
     Reading a small window of them then costs only its own bytes, not those of the blocks that it overlaps. Other files
     are not affected.
     """
+    return _setting("GTIFF_DIRECT_IO", "YES")
+
+
+def without_sidecars():
+    """Keep GDAL from writing (and reading) .aux.xml files of rasters that are opened within the block."""
+    return _setting("GDAL_PAM_ENABLED", "NO")
+
+
+@contextmanager
+def _setting(name, value):
+    """Set one of GDAL's options for this thread within the block."""
     gdal = available("osgeo.gdal")
-    name = "GTIFF_DIRECT_IO"
     if gdal is None or not hasattr(gdal, "SetThreadLocalConfigOption"):
         yield
         return
     before = gdal.GetThreadLocalConfigOption(name)
-    gdal.SetThreadLocalConfigOption(name, "YES")
+    gdal.SetThreadLocalConfigOption(name, value)
     try:
         yield
     finally:
