@@ -60,8 +60,8 @@ def position_error_of(request: Any, metadata: PhotoMetadata) -> float:
     if error is not None and error > USELESS_POSITION_ERROR_M:
         raise MissingMetadataError(
             Message(
-                "The GPS position is uncertain by {km} km, too much for a horizon. Supply the right position as a "
-                "point in a photo point layer.",
+                "The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. "
+                "Supply it as a point in a photo point layer.",
                 km=f"{error / 1000:.1f}",
             )
         )

@@ -16,9 +16,7 @@ from .gdal_quiet import open_quietly
 MOST_NESTED = 20_000
 """Largest number of files of one DEM that are looked at."""
 
-STATISTICS = re.compile(
-    rb"<MDI key=\"STATISTICS_[^>]*>[^<]*</MDI>|<Histograms>.*?</Histograms>|<Metadata>\s*</Metadata>|\s+", re.DOTALL
-)
+STATISTICS = re.compile(rb"<MDI key=\"STATISTICS_[^>]*>[^<]*</MDI>|<Histograms>.*?</Histograms>|\s+", re.DOTALL)
 """What GDAL adds to a VRT when its statistics are computed."""
 
 
@@ -79,4 +77,5 @@ def _state(name):
     if not name.lower().endswith(".vrt"):
         return file_state(name)
     with open(name, "rb") as file:
-        return name, hashlib.sha256(STATISTICS.sub(b"", file.read())).hexdigest()
+        content = STATISTICS.sub(b"", file.read()).replace(b"<Metadata></Metadata>", b"")
+    return name, hashlib.sha256(content).hexdigest()

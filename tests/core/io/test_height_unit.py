@@ -22,7 +22,7 @@ def unit_of(unit="", crs="EPSG:32632", chosen=None, own=None):
 @pytest.mark.parametrize(
     "spelling, metres",
     [
-        *((text, 1.0) for text in ("", "m", "Metre", "meters", "[m]", "metre (EGM96)", "m above sea level", "gpm", "none")),
+        *((text, 1.0) for text in ("", "m", "Metre", "meters", "[m]", "metre (EGM96)", "m above sea level", "none")),
         *((text, FOOT) for text in ("ft", "FEET", "foot", "[ft_i]", "International foot", "feet (NAVD88)")),
         *((text, SURVEY_FOOT) for text in ("US survey foot", "us_survey_foot", "US-ft", "ftUS", "Foot_US", "[ft_us]",
                                            "U.S. Survey Feet", "us_survey_feet")),

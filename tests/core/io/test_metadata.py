@@ -296,7 +296,11 @@ def test_a_digital_zoom_that_the_equivalent_leaves_out_is_applied(focal, recorde
 
 
 PANORAMAS = {
-    "GPano": {"ProjectionType": "cylindrical", "FullPanoWidthPixels": (8000.0,), "CroppedAreaImageWidthPixels": (4000.0,)},
+    "GPano": {
+        "ProjectionType": "cylindrical",
+        "FullPanoWidthPixels": (8000.0,),
+        "CroppedAreaImageWidthPixels": (4000.0,),
+    },
     "GPano, equirectangular": {"ProjectionType": "equirectangular"},
     "a phone's sweep": {"CustomRendered": (6.0,)},
     "a stitching program": {"Software": "Hugin 2022.0.0"},
@@ -313,7 +317,9 @@ def test_a_panorama_has_no_focal_length(case):
     assert ("180 degrees" in found["notes"][0]) == (case == "GPano")
 
 
-@pytest.mark.parametrize("tags", [{}, {"CustomRendered": (8.0,)}, {"ProjectionType": "rectilinear"}, {"Software": "17.0"}])
+@pytest.mark.parametrize(
+    "tags", [{}, {"CustomRendered": (8.0,)}, {"ProjectionType": "rectilinear"}, {"Software": "17.0"}]
+)
 def test_a_wide_crop_or_a_portrait_mode_is_no_panorama(tags):
     assert not interpret({"FocalLengthIn35mmFilm": (26.0,), **tags}, 5000, 1000)["panorama"]
 

@@ -6,7 +6,6 @@ import json
 import os
 from dataclasses import fields, is_dataclass, replace
 from datetime import datetime
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
