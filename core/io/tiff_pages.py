@@ -66,6 +66,15 @@ class _Reader:
         self.first = self.at(8 if self.big else 4, self.offset)[0]
 
     def at(self, place, code, count=1):
+        """Read `count` numbers of the `struct` type `code` at a place of the file.
+
+        Parameters
+        ----------
+        place : int
+            Offset in the file [bytes].
+        code : str
+        count : int
+        """
         self.file.seek(place)
         form = f"{self.order}{count}{code}"
         return struct.unpack(form, self.file.read(struct.calcsize(form)))
