@@ -1984,6 +1984,60 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>wie in der Datei angegeben</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>Fuß (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Einheit der Höhen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Einheit der Höhen im Höhenmodell. Viele Dateien in Fuß oder Dezimetern geben das nicht an; ohne Einheit in der Datei werden Meter angenommen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
         <translation>Größte Entfernung der Berge auf der Horizontlinie, in Metern am Boden. Das Verfahren Aufsatz verwendet höchstens 15 km.</translation>
     </message>
@@ -3151,6 +3205,11 @@
         <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>Die Position ist auf {metres} m unsicher, wodurch die Blickrichtung um mehr als 3 Grad unsicher bleibt. Berichtigen Sie die Position.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>Das Foto {path} kann nicht gelesen werden: {reason}</translation>
@@ -3181,6 +3240,81 @@
         <translation>Die Bildobjekte {path} können nicht gelesen werden: {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Die angegebene Höhe der Kamera liegt {metres} m unter der Oberfläche des DGM, daher wird das Ergebnis nicht angenommen. Prüfen Sie HEIGHT_FIELD und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM, mehr als GPS und DGM zulassen, daher wird das Ergebnis nicht angenommen. Prüfen Sie die Position des Fotos und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM, mehr als GPS und DGM zulassen, daher wird das Ergebnis nicht angenommen. Prüfen Sie die Position des Fotos und das DGM; schalten Sie für eine Drohne USE_ALTITUDE ein.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m über der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m unter der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, als wären seine Höhen in {unit} angegeben. Stellen Sie die Einheit der Höhen des DGM ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, als wären diese in Fuß angegeben. Das Programm, das sie geschrieben hat, irrt sich; für die Höhe der Kamera wird das DGM verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, fast überall gleich viel, als bezöge sich eines von beiden auf das Ellipsoid oder ein anderes Höhendatum. Verwenden Sie ein DGM mit Höhen über dem Meer.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab. Prüfen Sie, ob das DGM Höhen enthält, deren Einheit (DEM_UNIT) und Höhendatum sowie die Positionen der Fotos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} braucht das Python-Paket {package}. {hint}</translation>
@@ -3201,44 +3335,19 @@
         <translation>Führen Sie aus: {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>Das Foto hat keine GPS-Position. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>Die Horizontlinie passt am besten von {metres} m über der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>Die GPS-Position ist auf {km} km unsicher, zu viel für einen Horizont, daher wird die richtige benötigt. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>Die Horizontlinie passt am besten von {metres} m unter der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>Das Foto ist ein zusammengesetztes Panorama und nicht das Bild eines einzigen Objektivs. Verwenden Sie ein einzelnes Foto, oder geben Sie den horizontalen Bildwinkel in HFOV_FIELD an, wenn das Panorama geradlinig (rektilinear) ist.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -3443,6 +3552,41 @@
         <translation>Es gibt keine Transformation von {source} nach {target}. Verwenden Sie ein DGM in einem gebräuchlichen Koordinatensystem.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Das DGM {path} ist ein Bild mit einer Farbpalette und kein Raster mit Höhen. Wählen Sie das Höhenraster selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Das DGM {path} hat nur 8 Bit je Zelle wie eine Schummerung oder ein anderes Bild des Geländes. Wählen Sie das Höhenraster selbst; wenn es sich um Höhen handelt, stellen Sie deren Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>Das DGM {path} enthält als Farben kodierte Höhen (Terrain-RGB, {name}). Dekodieren Sie sie zuerst mit dem Rasterrechner: {formula}; R, G und B sind die Kanäle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Das DGM {path} ist ein Farbbild (Rot, Grün, Blau) und kein Raster mit Höhen. Wählen Sie das Höhenraster selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>Kanal {band} des DGM {path} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>Das DGM {path} hat Werte bis {highest}, die keine Höhen in Metern sind: vielleicht sind es Dezimeter oder Zentimeter. Stellen Sie die Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Die Werte des DGM {path} liegen zwischen {low} und {high} und ändern sich von Zelle zu Zelle wie bei einer Schummerung, Neigungs- oder Expositionskarte, nicht wie Höhen. Wählen Sie das Höhenraster selbst; wenn es sich um Höhen handelt, stellen Sie deren Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
@@ -3554,6 +3698,41 @@
         <translation>Das DGM {path} ist gegen sein KBS gedreht. Transformieren Sie es zuerst auf ein nach Norden ausgerichtetes Gitter (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Die Werte des DGM sind in {unit} angegeben, was hier nicht als Einheit von Höhen bekannt ist. Wählen Sie ein Höhenraster, oder stellen Sie die Einheit seiner Höhen ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>Die Höheneinheit {unit} ist nicht bekannt. Geben Sie metres, feet, us-ft, dm, cm, km oder eine Anzahl Meter an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Die aufgezeichnete kleinbildäquivalente Brennweite von {recorded} mm widerspricht der aufgezeichneten Brennweite und dem Sensor, aus denen {derived} mm folgen. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Kein Objektiv hat die aufgezeichnete kleinbildäquivalente Brennweite von {recorded} mm; sie wurde nicht beachtet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>Die aufgezeichnete kleinbildäquivalente Brennweite enthält den Digitalzoom nicht: Statt {recorded} mm wurden {used} mm verwendet.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
@@ -3575,13 +3754,23 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>Das GPS hatte bei der Aufnahme keinen Empfang, daher kann die Position die eines anderen Ortes sein.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>Die GPS-Position ist ungenau (DOP {dop}): Es wurde ein Fehler von {metres} m angenommen.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>Das Bild ist ein Panorama von {angle} Grad und nicht das eines einzigen Objektivs; sein Bildwinkel ist unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>Das Bild ist ein Panorama und nicht das eines einzigen Objektivs; sein Bildwinkel ist unbekannt.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3619,9 +3808,14 @@
         <translation>Das DGM {path} ist beschädigt ({reason}). Kopieren Sie es neu.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>Kanal {band} des DGM {path} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>Die Datei ist eine Rohdatei einer Kamera, die zuerst als JPEG exportiert werden muss.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>Ihre erste Seite mit {width} x {height} Pixeln ist ein Vorschaubild eines größeren Bildes. Exportieren Sie dieses als JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4294,6 +4488,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>Das Bild zeigt keine Horizontlinie: Keine Linie trennt Himmel und Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>Das Bild zeigt keine Horizontlinie von Bergen: Seine Linien sind waagerecht und senkrecht wie in einem Raum.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

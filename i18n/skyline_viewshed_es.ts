@@ -1984,6 +1984,60 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>según el archivo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>pies (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>pies topográficos de EE. UU.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>decímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>kilómetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Unidad de las alturas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Unidad de las alturas del modelo de elevación. Muchos archivos en pies o decímetros no lo indican; si el archivo no da ninguna unidad, se suponen metros.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
         <translation>Distancia máxima de las montañas de la línea del horizonte, en metros sobre el terreno. El método artículo usa como máximo 15 km.</translation>
     </message>
@@ -3151,6 +3205,11 @@
         <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>La posición tiene una incertidumbre de {metres} m, por lo que el rumbo es incierto en más de 3 grados. Corrija la posición.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>No se puede leer la foto {path}: {reason}</translation>
@@ -3181,6 +3240,81 @@
         <translation>No se pueden leer los objetos de la imagen {path}: {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>La elevación indicada de la cámara queda {metres} m por debajo de la superficie del MDE, por lo que la respuesta no se acepta. Compruebe HEIGHT_FIELD y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE, más de lo que permiten el GPS y el MDE, por lo que la respuesta no se acepta. Compruebe la posición de la foto y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE, más de lo que permiten el GPS y el MDE, por lo que la respuesta no se acepta. Compruebe la posición de la foto y el MDE; para un dron, active USE_ALTITUDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por encima de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por debajo de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, como si sus alturas estuvieran en {unit}. Indique la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, como si estas estuvieran en pies. El programa que las escribió se equivoca; para la elevación de la cámara se usa el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, casi lo mismo en todas partes, como si uno de los dos contara desde el elipsoide u otro dátum vertical. Use un MDE con alturas sobre el nivel del mar.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas. Compruebe que el MDE contenga alturas, su unidad (DEM_UNIT) y su dátum vertical, y las posiciones de las fotos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} necesita el paquete de Python {package}. {hint}</translation>
@@ -3201,44 +3335,19 @@
         <translation>Ejecute: {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La foto no tiene posición GPS. Indíquela con un punto en una capa de puntos de fotos.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>La línea del horizonte encaja mejor desde {metres} m por encima de la superficie del MDE; se ha usado esa altura.</translation>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>La posición GPS tiene una incertidumbre de {km} km, demasiado para un horizonte, por lo que se necesita la correcta. Indíquela con un punto en una capa de puntos de fotos.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>La línea del horizonte encaja mejor desde {metres} m por debajo de la superficie del MDE; se ha usado esa altura.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE; se usó el MDE.</translation>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>La foto es un panorama compuesto, que no es la imagen de un solo objetivo. Use una sola foto o, si el panorama es rectilíneo, indique el ángulo de visión horizontal en HFOV_FIELD.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -3443,6 +3552,41 @@
         <translation>No hay ninguna transformación disponible de {source} a {target}. Use un MDE en un sistema de coordenadas habitual.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>El MDE {path} es una imagen con paleta de colores, no un ráster de alturas. Elija el propio ráster de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>El MDE {path} tiene solo 8 bits por celda, como un sombreado u otra imagen del terreno. Elija el propio ráster de elevación; si son alturas, indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>El MDE {path} contiene alturas codificadas como colores (terrain-RGB, {name}). Descodifíquelas primero con la calculadora ráster: {formula}, donde R, G y B son las bandas.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>El MDE {path} es una imagen en color (rojo, verde, azul), no un ráster de alturas. Elija el propio ráster de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La banda {band} del MDE {path} no tiene ninguna celda válida. Elija otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>El MDE {path} tiene valores de hasta {highest}, que no son alturas en metros: quizá sean decímetros o centímetros. Indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Los valores del MDE {path} están entre {low} y {high} y cambian de celda a celda como los de un sombreado o un mapa de pendientes u orientaciones, no como alturas. Elija el propio ráster de elevación; si son alturas, indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
@@ -3554,6 +3698,41 @@
         <translation>El MDE {path} está girado respecto de su SRC. Transfórmelo antes a una malla orientada al norte (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Los valores del MDE están en {unit}, que no es una unidad de altura conocida aquí. Elija un ráster de elevación o indique la unidad de sus alturas (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>La unidad de alturas {unit} no se conoce. Indique metres, feet, us-ft, dm, cm, km o un número de metros.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>El equivalente en 35 mm registrado de {recorded} mm contradice la distancia focal y el sensor registrados, de los que resultan {derived} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Ningún objetivo tiene el equivalente en 35 mm registrado de {recorded} mm; se ha descartado.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>El equivalente en 35 mm registrado no incluye el zoom digital: se usaron {used} mm en lugar de {recorded} mm.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
@@ -3575,13 +3754,23 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>El GPS no tenía señal cuando se tomó la foto, por lo que la posición puede ser la de otro lugar.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>La posición GPS es imprecisa (DOP {dop}): se supuso un error de {metres} m.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>La imagen es un panorama de {angle} grados, no la de un solo objetivo; su ángulo de visión es desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>La imagen es un panorama, no la de un solo objetivo; su ángulo de visión es desconocido.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3619,9 +3808,14 @@
         <translation>El MDE {path} está dañado ({reason}). Cópielo de nuevo.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>La banda {band} del MDE {path} no tiene ninguna celda válida. Elija otro MDE.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>es un archivo en bruto (RAW) de una cámara, que antes debe exportarse como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>su primera página de {width} x {height} píxeles es una miniatura de una imagen mayor. Expórtela como JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4294,6 +4488,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>La imagen no muestra ninguna línea del horizonte: ninguna línea separa el cielo del terreno.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>La imagen no muestra ninguna línea de montañas: sus líneas son horizontales y verticales, como en una habitación.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

@@ -1984,6 +1984,60 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>comme l'indique le fichier</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>pieds (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>pieds d'arpentage américains</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>décimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Unité des altitudes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Unité des altitudes du modèle numérique. Beaucoup de fichiers en pieds ou en décimètres ne l'indiquent pas ; sans unité dans le fichier, des mètres sont supposés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
         <source>Maximum distance of the mountains on the skyline, in metres on the ground. The paper method uses at most 15 km.</source>
         <translation>Distance maximale des montagnes de la ligne d'horizon, en mètres au sol. La méthode article utilise au plus 15 km.</translation>
     </message>
@@ -3151,6 +3205,11 @@
         <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>La position est incertaine de {metres} m, ce qui laisse le cap incertain de plus de 3 degrés. Corrigez la position.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>La photo {path} ne peut pas être lue : {reason}</translation>
@@ -3181,6 +3240,81 @@
         <translation>Les entités de l'image {path} ne peuvent pas être lues : {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'altitude donnée de la caméra est {metres} m au-dessous de la surface du MNT, la réponse n'est donc pas acceptée. Vérifiez HEIGHT_FIELD et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT, plus que le GPS et le MNT ne le permettent, la réponse n'est donc pas acceptée. Vérifiez la position de la photo et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT, plus que le GPS et le MNT ne le permettent, la réponse n'est donc pas acceptée. Vérifiez la position de la photo et le MNT ; pour un drone, activez USE_ALTITUDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessus de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessous de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, comme si ses altitudes étaient en {unit}. Indiquez l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, comme si celles-ci étaient en pieds. Le programme qui les a écrites se trompe ; le MNT sert pour l'altitude de la caméra.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, presque partout de la même valeur, comme si l'un des deux se rapportait à l'ellipsoïde ou à une autre référence verticale. Utilisez un MNT dont les altitudes sont au-dessus du niveau de la mer.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées. Vérifiez que le MNT contient des altitudes, leur unité (DEM_UNIT) et leur référence verticale, ainsi que les positions des photos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} exige le paquet Python {package}. {hint}</translation>
@@ -3201,44 +3335,19 @@
         <translation>Exécutez : {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La photo n'a pas de position GPS. Indiquez-la par un point dans une couche de points de photos.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessus de la surface du MNT ; cette hauteur a été utilisée.</translation>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>La position GPS est incertaine de {km} km, trop pour un horizon ; il faut donc la bonne. Indiquez-la par un point dans une couche de points de photos.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessous de la surface du MNT ; cette hauteur a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT ; le MNT a été utilisé.</translation>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>La photo est un panorama assemblé, qui n'est pas l'image d'un seul objectif. Utilisez une photo simple, ou donnez l'angle de champ horizontal dans HFOV_FIELD si le panorama est rectilinéaire.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -3443,6 +3552,41 @@
         <translation>Aucune transformation de {source} vers {target} n'est disponible. Utilisez un MNT dans un système de coordonnées courant.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Le MNT {path} est une image à palette de couleurs, pas un raster d'altitudes. Choisissez le raster d'altitudes lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Le MNT {path} n'a que 8 bits par cellule, comme un ombrage ou une autre image du terrain. Choisissez le raster d'altitudes lui-même ; si ce sont des altitudes, indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>Le MNT {path} contient des altitudes codées en couleurs (terrain-RGB, {name}). Décodez-les d'abord avec la calculatrice raster : {formula}, où R, G et B sont les bandes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Le MNT {path} est une image en couleurs (rouge, vert, bleu), pas un raster d'altitudes. Choisissez le raster d'altitudes lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La bande {band} du MNT {path} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>Le MNT {path} a des valeurs jusqu'à {highest}, qui ne sont pas des altitudes en mètres : peut-être des décimètres ou des centimètres. Indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Les valeurs du MNT {path} vont de {low} à {high} et varient d'une cellule à l'autre comme celles d'un ombrage, d'une carte de pente ou d'exposition, pas comme des altitudes. Choisissez le raster d'altitudes lui-même ; si ce sont des altitudes, indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
@@ -3554,6 +3698,41 @@
         <translation>Le MNT {path} est tourné par rapport à son SCR. Projetez-le d'abord sur une grille orientée au nord (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Les valeurs du MNT sont en {unit}, qui n'est pas une unité d'altitude connue ici. Choisissez un raster d'altitudes, ou indiquez l'unité de ses altitudes (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>L'unité d'altitude {unit} n'est pas connue. Donnez metres, feet, us-ft, dm, cm, km ou un nombre de mètres.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'équivalent 35 mm enregistré de {recorded} mm contredit la focale et le capteur enregistrés, qui donnent {derived} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Aucun objectif n'a l'équivalent 35 mm enregistré de {recorded} mm ; il a été ignoré.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>L'équivalent 35 mm enregistré ne tient pas compte du zoom numérique : {used} mm a été utilisé au lieu de {recorded} mm.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
@@ -3575,13 +3754,23 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>Le GPS ne captait pas lors de la prise de vue ; la position peut donc être celle d'un autre lieu.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>La position GPS est imprécise (DOP {dop}) : une erreur de {metres} m a été supposée.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>L'image est un panorama de {angle} degrés, pas celle d'un seul objectif ; son angle de champ est inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>L'image est un panorama, pas celle d'un seul objectif ; son angle de champ est inconnu.</translation>
     </message>
     <message>
         <location filename="../core/io/photo.py"/>
@@ -3619,9 +3808,14 @@
         <translation>Le MNT {path} est endommagé ({reason}). Copiez-le à nouveau.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>La bande {band} du MNT {path} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>c'est un fichier brut (RAW) d'appareil photo, qui doit d'abord être exporté en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>sa première page de {width} x {height} pixels est une vignette d'une image plus grande. Exportez celle-ci en JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4294,6 +4488,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>L'image ne montre aucune ligne d'horizon : aucune ligne ne sépare le ciel du terrain.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>L'image ne montre aucune ligne de montagnes : ses lignes sont horizontales et verticales, comme dans une pièce.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>
