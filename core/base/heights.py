@@ -160,20 +160,22 @@ def doubt_of_run(altitudes_m: Sequence[float], grounds_m: Sequence[float]) -> Me
     if not len(recorded) or abs(np.median(recorded - ground)) <= SUSPICIOUS_MEDIAN_M:
         return None
     shift = recorded - ground
-    facts = {"metres": f"{abs(np.median(shift)):.0f}", "count": len(recorded)}
+    metres, count = f"{abs(np.median(shift)):.0f}", len(recorded)
     for factor, unit in UNITS:
         if _explains(recorded, factor * ground, shift):
             return Message(
                 "The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its "
                 "heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).",
                 unit=unit,
-                **facts,
+                metres=metres,
+                count=count,
             )
     if _explains(0.3048 * recorded, ground, shift):
         return Message(
             "The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in "
             "feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.",
-            **facts,
+            metres=metres,
+            count=count,
         )
     spread_m = np.median(np.abs(shift - np.median(shift)))
     if len(shift) >= 3 and spread_m <= SAME_PLACE_SPREAD_M and abs(np.median(shift)) <= 1.5 * GEOID_M:
@@ -181,12 +183,14 @@ def doubt_of_run(altitudes_m: Sequence[float], grounds_m: Sequence[float]) -> Me
             "The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same "
             "everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with "
             "heights above sea level.",
-            **facts,
+            metres=metres,
+            count=count,
         )
     return Message(
         "The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM "
         "holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.",
-        **facts,
+        metres=metres,
+        count=count,
     )
 
 
