@@ -81,6 +81,7 @@ class DirectedViewshed(DemAlgorithm):
         self.addParameter(points)
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         for parameter in pose_parameters():
             self.addParameter(parameter)
         self.addParameter(

@@ -74,6 +74,7 @@ class HorizonProfile(DemAlgorithm):
         self.addParameter(shared.explained(points, tr("Positions of the observer's eye, in any coordinate system.")))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         self.addParameter(shared.eye_height())
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         self.addParameter(

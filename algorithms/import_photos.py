@@ -18,7 +18,7 @@ from ..core.base.progress import checkpoint
 from .base import SkylineAlgorithm
 from .shared import fields
 from .shared import parameters as shared
-from .shared.feedback import FeedbackProgress, announce
+from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.i18n import in_users_language, tr
 from .shared.outputs import write_features
 from .shared.photo_attributes import attributes_of, photos_in, point_of
@@ -132,6 +132,8 @@ def read_all(paths, feedback):
         except PhotoError as error:
             reason = in_users_language(error.message)
         if reason is None:
+            for note in metadata.notes:
+                warn(feedback, path.name, note)
             taken.append((point_of(metadata), attributes_of(metadata)))
         else:
             feedback.reportError(f"{path.name}: {reason}", False)

@@ -76,6 +76,7 @@ class OrientPhotos(DemAlgorithm):
         self.addParameter(shared.photo_field())
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         self.addParameter(shared.method())
         self.addParameter(shared.compass())
         add_field_parameters(self)

@@ -65,6 +65,7 @@ class Panorama(DemAlgorithm):
         self.addParameter(shared.explained(points, tr("Positions of the observer's eye, in any coordinate system.")))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         self.addParameter(shared.max_distance(defaults.max_distance_m))
         add_summit_parameters(self)
         photos = shared.photo_source("PHOTOS", optional=True)

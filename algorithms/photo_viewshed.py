@@ -105,6 +105,7 @@ class PhotoViewshed(DemAlgorithm):
             shared.explained(recursive, tr("Also searches all subfolders.")),
             shared.photo_field(),
             shared.band(),
+            shared.dem_unit(),
             shared.method(),
             shared.compass(),
             shared.explained(

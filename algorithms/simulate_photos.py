@@ -62,6 +62,7 @@ class SimulatePhotos(DemAlgorithm):
         self.addParameter(points)
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         for parameter in pose_parameters():
             self.addParameter(parameter)
         for name, label, default in (("WIDTH", tr("Width (px)"), 1600), ("HEIGHT", tr("Height (px)"), 1200)):

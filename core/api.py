@@ -69,11 +69,12 @@ IN_PYTHON = {
     "Supply it as a point in a photo point layer.": "Give longitude_deg and latitude_deg.",
     "HFOV_FIELD": "hfov_deg",
     "HEIGHT_FIELD": "eye_elevation_m",
+    "USE_ALTITUDE": "use_altitude",
 }
 """What messages call the parameters of QGIS algorithms, and what those are called here."""
 
 
-def open_dem(path: PathLike, band: int = 1, crs: str | None = None) -> Dem:
+def open_dem(path: PathLike, band: int = 1, crs: str | None = None, unit: str | float | None = None) -> Dem:
     """Open an elevation model in a file; it is read in windows, never as a whole. Needs GDAL.
 
     Parameters
@@ -84,6 +85,8 @@ def open_dem(path: PathLike, band: int = 1, crs: str | None = None) -> Dem:
         Counted from 1.
     crs : str or None
         WKT or "EPSG:..." in place of the file's own.
+    unit : str, float or None
+        Unit of the heights ("feet", "us-ft", "dm", ...), or metres per unit; None means that of the file.
 
     Raises
     ------
@@ -98,9 +101,9 @@ def open_dem(path: PathLike, band: int = 1, crs: str | None = None) -> Dem:
     <Dem dem.tif: 320 x 320 cells of 75 x 75, unknown>
     """
     require("osgeo.gdal", "Reading an elevation model from a file")
-    from .io import raster
+    from .io import dem_reading, raster
 
-    return raster.open_dem(os.fspath(path), band, crs)
+    return raster.open_dem(os.fspath(path), band, crs, dem_reading.DemReading(unit=unit))
 
 
 def dem_from_array(

@@ -14,13 +14,15 @@ from .base import imaging
 from .base.camera import FOCAL_SIGMA
 from .base.curvature import apparent_drop_m
 from .base.declination import declination_deg
+from .base.doubt import doubted, position_doubt
 from .base.errors import MissingMetadataError, MissingPackageError, PhotoError
+from .base.heights import altitude_limit_m, contradiction, doubt_of_run, eye_notes
 from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
+from .base.place import position_error_of, position_of
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
-from .base.uncertainty import TYPICAL_POSITION_ERROR_M
-from .io.photo import read_photo
+from .io.photo import read_metadata, read_photo
 from .match.landmarks import Landmark
 from .match.prior import HeadingPrior, camera_prior, compass_prior, true_heading_deg
 from .pipeline import Hints, HorizonCache, OrientOptions, Setting, orient_photo, other_eyes
@@ -135,11 +137,19 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
 
 def _orient(request, photo, dem, options, cache, progress):
     paper = options.method == "paper"
+    if photo.metadata.panorama and request.hfov_deg is None and request.focal_length_35mm is None:
+        raise MissingMetadataError(
+            Message(
+                "The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give "
+                "the horizontal field of view in HFOV_FIELD if the panorama is rectilinear."
+            )
+        )
     if request.focal_length_35mm is not None:
         lens = {"focal_length_35mm": request.focal_length_35mm, "focal_sigma": FOCAL_SIGMA}
         photo = replace(photo, metadata=replace(photo.metadata, **lens))
     metadata = photo.metadata
-    longitude, latitude, given = _position(request, metadata)
+    longitude, latitude = position_of(request, metadata)
+    error = position_error_of(request, metadata)
     observer = Observer(longitude, latitude, request.eye_height_m, _eye_elevation_m(request, metadata))
     prior = camera_prior(metadata, request.hfov_deg)
     compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
@@ -147,40 +157,52 @@ def _orient(request, photo, dem, options, cache, progress):
     if hints.heading is None:
         hints = replace(hints, recorded_heading_deg=compass)
     horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
-    error = request.position_error_m
-    if error is None and not given:
-        error = metadata.position_error_m
     inner, eyes = None, ()
     if not paper:
         inner = cache.inner(dem, observer, options.inner)
         eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, cache)
-    setting = Setting(observer, prior, hints, horizon, inner, error or TYPICAL_POSITION_ERROR_M, eyes)
+    setting = Setting(observer, prior, hints, horizon, inner, error, eyes)
     oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
-    notes = metadata.notes + _eye_notes(request, metadata, oriented) + oriented.orientation.notes
+    notes = metadata.notes + eye_notes(request, metadata, oriented) + oriented.orientation.notes
+    limit_m = altitude_limit_m(metadata, horizon.cell_m, options.eyes.largest_altitude_error_m, error)
+    answer = doubted(
+        replace(oriented.orientation, notes=notes), position_doubt(oriented.orientation, error), keep_interval=True
+    )
     return replace(
         oriented,
-        orientation=replace(oriented.orientation, notes=notes),
+        orientation=doubted(answer, contradiction(request, metadata, oriented, limit_m)),
         preview=np.rint(imaging.shrink_to(photo.pixels, PREVIEW_PX)).astype(np.uint8),
         compass_true_deg=compass,
     )
 
 
-def _position(request, metadata):
-    """Longitude, latitude, and whether they were given rather than read from the file."""
-    given = _usable(request.longitude_deg, request.latitude_deg)
-    recorded = _usable(metadata.longitude_deg, metadata.latitude_deg)
-    if given and not (recorded and request.prefer_photo_position):
-        return float(request.longitude_deg), float(request.latitude_deg), True
-    if recorded:
-        return metadata.longitude_deg, metadata.latitude_deg, False
-    raise MissingMetadataError(Message("The photo has no GPS position. Supply it as a point in a photo point layer."))
+def doubt_of_heights(requests, dem, most=40):
+    """Compare the recorded altitudes of some photographs with the DEM before a run.
 
+    Parameters
+    ----------
+    requests : sequence of PhotoRequest
+    dem : core.io.raster.Dem or core.base.terrain.ArrayTerrain
+    most : int
+        Largest number of photographs that are opened for it.
 
-def _usable(longitude_deg, latitude_deg):
-    position = longitude_deg, latitude_deg
-    if None in position or not np.isfinite(position).all() or abs(latitude_deg) > 90:
-        return False
-    return position != (0, 0)
+    Returns
+    -------
+    Message or None
+        What is likely wrong, if the median difference is no error of GPS receivers.
+    """
+    altitudes, grounds = [], []
+    for request in requests[:: max(-(-len(requests) // most), 1)]:
+        try:
+            metadata = read_metadata(request.path)
+            longitude, latitude = position_of(request, metadata)
+            ground = ground_elevation_m(dem, dem.frame(longitude, latitude, 1_000.0))
+        except PhotoError:
+            continue
+        if metadata.altitude_m is not None:
+            altitudes.append(metadata.altitude_m)
+            grounds.append(ground)
+    return doubt_of_run(altitudes, grounds)
 
 
 def _declination(metadata, longitude_deg, latitude_deg):
@@ -240,41 +262,3 @@ def _eye_elevation_m(request, metadata):
         return request.eye_elevation_m
     # DEM elevations are above sea level; the geoid lies up to 100 m from the ellipsoid.
     return None if metadata.altitude_reference == "ellipsoid" else metadata.altitude_m
-
-
-def _eye_notes(request, metadata, oriented):
-    """Note on an eye that is not where the DEM has it, or on a recorded altitude that contradicts the DEM."""
-    if oriented.orientation.eye and oriented.ground_elevation_m is not None:
-        above = oriented.eye_elevation_m - oriented.ground_elevation_m
-        metres = f"{abs(above):.0f}"
-        if above > 0:
-            return (
-                Message(
-                    "The skyline fits best from {metres} m above the DEM's surface, which was used.", metres=metres
-                ),
-            )
-        return (
-            Message("The skyline fits best from {metres} m below the DEM's surface, which was used.", metres=metres),
-        )
-    if metadata.altitude_m is None or oriented.ground_elevation_m is None:
-        return ()
-    trusted = request.use_altitude and request.eye_elevation_m is None
-    if trusted and metadata.altitude_reference == "ellipsoid":
-        return (Message("The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used."),)
-    above = metadata.altitude_m - oriented.ground_elevation_m
-    if abs(above) < 30:
-        return ()
-    metres = f"{abs(above):.0f}"
-    if trusted and above > 0:
-        note = Message("The recorded altitude lies {metres} m above the DEM's surface and was used.", metres=metres)
-    elif trusted:
-        note = Message("The recorded altitude lies {metres} m below the DEM's surface and was used.", metres=metres)
-    elif above > 0:
-        note = Message(
-            "The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.", metres=metres
-        )
-    else:
-        note = Message(
-            "The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.", metres=metres
-        )
-    return (note,)

@@ -28,8 +28,8 @@ ANSWERED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 TO_OPTIONS = {
     "Give longitude_deg and latitude_deg.": "Give it by --position.",
     "hfov_deg": "--hfov",
-    "eye_elevation_m": "--eye-elevation",
-}
+    "eye_elevation_m": "--eye-elevation", "DEM_UNIT": "--dem-unit",
+}  # fmt: skip
 """What messages call the arguments of functions, and what the options are called."""
 
 EXAMPLES = """\
@@ -76,7 +76,7 @@ class Run:
     """Orients the photographs one by one; on the way it collects their rows and writes their viewsheds."""
 
     def __init__(self, given: argparse.Namespace, bar: Bar) -> None:
-        self.given, self.bar, self.dem = given, bar, api.open_dem(given.dem, given.band)
+        self.given, self.bar, self.dem = given, bar, api.open_dem(given.dem, given.band, None, given.dem_unit)
         self.paths = _photos(given.photos, given.recursive)
         self.options = api.OrientOptions(
             given.method, given.compass, horizon=api.HorizonOptions(max_distance_m=given.max_distance)
@@ -89,8 +89,12 @@ class Run:
         return len(self.paths)
 
     def __iter__(self) -> Iterator[api.OrientedPhoto]:
+        from .batch import PhotoRequest, doubt_of_heights
         from .io.vector import photo_row
 
+        doubt = doubt_of_heights([PhotoRequest(os.fspath(path)) for path in self.paths], self.dem)
+        if doubt:
+            self.bar.say(f"{PROGRAM}: {_in_options(doubt)}", always=True)
         self.bar.label = f"of {len(self.paths)} photos"
         photos = api.orient_many(self.paths, self.dem, options=self.options, progress=self.bar, **_facts(self.given))
         for number, photo in enumerate(photos, start=1):
@@ -152,7 +156,7 @@ def horizon(given: argparse.Namespace, bar: Bar) -> int:
         _check_folder(given.output)
     place = api.Observer(given.longitude, given.latitude, given.eye_height, given.eye_elevation)
     options = api.HorizonOptions(max_distance_m=given.max_distance)
-    found = api.horizon_profile(api.open_dem(given.dem, given.band), place, options, bar)
+    found = api.horizon_profile(api.open_dem(given.dem, given.band, None, given.dem_unit), place, options, bar)
     rows = zip(found.azimuth_deg, found.elevation_deg, found.distance_m)
     if not given.output:
         _write_horizon(sys.stdout, rows)
@@ -173,7 +177,7 @@ def _write_horizon(table: TextIO, rows: Iterator[tuple[float, float, float]]) ->
 def viewshed(given: argparse.Namespace, bar: Bar) -> int:
     """Write the ground seen from a place as a GeoTIFF."""
     _check_folder(given.output)
-    dem = api.open_dem(given.dem, given.band)
+    dem = api.open_dem(given.dem, given.band, None, given.dem_unit)
     place = api.Observer(given.longitude, given.latitude, given.eye_height, given.eye_elevation)
     sector = None if given.heading is None else api.Wedge(given.heading, given.hfov or 60.0)
     options = api.ViewshedOptions(max_distance_m=given.max_distance, target_height_m=given.target_height)
@@ -289,6 +293,7 @@ def _add_place(commands: Any, name: str, text: str, run: Any, defaults: Any) -> 
 
 def _add_common(parser: argparse.ArgumentParser, defaults: Any) -> None:
     parser.add_argument("--band", type=int, default=1, help="of the elevation model (default: 1)")
+    parser.add_argument("--dem-unit", metavar="UNIT", help="of the heights: feet, dm, ... or metres per unit")
     parser.add_argument("--eye-height", type=float, default=1.7, metavar="M", help="above the DEM (default: 1.7)")
     parser.add_argument("--eye-elevation", type=float, metavar="M", help="absolute, in place of the eye height")
     parser.add_argument(

@@ -20,6 +20,7 @@ from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
 from .paper.method import PaperOptions, orient_by_paper
 from .skyline.evidence import SkylineOptions, skyline_evidence
+from .skyline.plausible import check_skyline
 
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")
@@ -70,7 +71,6 @@ class Hints:
     Attributes
     ----------
     heading : HeadingPrior or None
-        Approximate heading.
     landmarks : tuple of Landmark
         Pixels of the full picture with the direction of their map points.
     evidence : SkylineEvidence or None
@@ -277,6 +277,7 @@ def _robustly(photo, setting, options, progress):
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
+        check_skyline(evidence, needed=not hints.landmarks)
     else:
         # A given skyline places the answer more exactly than the thumbnail of the ground, which only helps to choose
         # between answers.

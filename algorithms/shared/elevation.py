@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import os
+from contextlib import nullcontext
 from dataclasses import dataclass
+from math import inf, isnan
+from typing import Any
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsRasterLayer
 
 from ...core.base.errors import TerrainError
 from .i18n import tr
+from .parameters import dem_units
 
 
 @dataclass(frozen=True)
@@ -24,38 +29,75 @@ class DemSource:
         CRS of the layer in QGIS.
     assigned : str or None
         WKT of that CRS if the user has assigned it in place of the file's own.
+    reading : DemReading
+        Unit of the heights and nodata that the user has set.
     """
 
     path: str
     band: int
     crs: QgsCoordinateReferenceSystem
     assigned: str | None = None
+    reading: Any = None
 
     def open(self):
         """Open the DEM as the core's `Dem`; raises `TerrainError`."""
+        from ...core.io.dem_reading import DemReading
         from ...core.io.raster import open_dem
 
-        return open_dem(self.path, self.band, self.assigned)
+        return open_dem(self.path, self.band, self.assigned, self.reading or DemReading())
 
 
-def dem_source(algorithm, parameters, context, name="DEM", band="BAND"):
+def dem_source(algorithm, parameters, context, name="DEM", band="BAND", unit="DEM_UNIT"):  # parameters: as in QGIS
     """Describe the DEM that the user chose.
 
     Raises
     ------
     QgsProcessingException
     """
-    layer = algorithm.parameterAsRasterLayer(parameters, name, context)
-    fault = layer_fault(layer)
-    if fault:
-        raise QgsProcessingException(fault)
+    with no_statistics_file(parameters.get(name)):
+        layer = algorithm.parameterAsRasterLayer(parameters, name, context)
+        fault = layer_fault(layer)
+        if fault:
+            raise QgsProcessingException(fault)
+        assigned = assigned_crs(layer)
     number = max(algorithm.parameterAsInt(parameters, band, context), 1)
-    return DemSource(layer.source(), number, layer.crs(), assigned_crs(layer))
+    unit = dem_units()[algorithm.parameterAsEnum(parameters, unit, context)][0]
+    return DemSource(layer.source(), number, layer.crs(), assigned, reading_of(layer, number, unit))
+
+
+def no_statistics_file(source):
+    """Keep QGIS from leaving the statistics that it computes for a layer in a new .aux.xml beside the user's file.
+
+    If there is one already it is left in use, because it may hold the CRS or the nodata value.
+    """
+    from ...core.io.gdal_quiet import split_options, without_sidecars
+
+    path = split_options(source)[0] if isinstance(source, str) else ""
+    if os.path.isfile(path) and not os.path.exists(f"{path}.aux.xml"):
+        return without_sidecars()
+    return nullcontext()
+
+
+def reading_of(layer, band, unit):
+    """Collect how the values are read: the unit, and the nodata that the user has set on the layer in QGIS."""
+    from ...core.io.dem_reading import DemReading
+
+    provider = layer.dataProvider()
+    given = provider.userNoDataValues(band) if band <= provider.bandCount() else ()
+    own = not provider.sourceHasNoDataValue(band) or provider.useSourceNoDataValue(band)
+    return DemReading(unit, tuple(map(_limits, given)), own)
+
+
+def _limits(values):
+    """Limits of a range of nodata, both included; a side without a limit is infinite."""
+    low, high = values.min(), values.max()
+    return (-inf if isnan(low) else low, inf if isnan(high) else high)
 
 
 def assigned_crs(layer):
     """WKT of the layer's CRS if it differs from the one in its file, else None."""
-    own = QgsRasterLayer(layer.source(), "own", "gdal").crs()
+    with no_statistics_file(layer.source()):
+        own = QgsRasterLayer(layer.source(), "own", "gdal", QgsRasterLayer.LayerOptions(False)).crs()
     if not layer.crs().isValid() or layer.crs() == own:
         return None
     return layer.crs().toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)

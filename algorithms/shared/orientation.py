@@ -14,7 +14,7 @@ from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
 from .fields import joined_fields, number_or_none
-from .i18n import marked, tr
+from .i18n import in_users_language, marked, tr
 from .kept_orientations import KeptOrientations
 from .oriented import oriented_specs, oriented_values
 from .rescue import Rescue
@@ -133,8 +133,11 @@ def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), p
 
     A photo's fault becomes a status and a warning; cancelling reports how far the run came and raises `Cancelled`.
     """
-    from ...core.batch import HorizonCache
+    from ...core.batch import HorizonCache, doubt_of_heights
 
+    doubt = doubt_of_heights([request for request in requests if request is not None], dem)
+    if doubt is not None:
+        feedback.pushWarning(in_users_language(doubt))
     cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
     kept = KeptOrientations(folder, feedback)
     for index, request in enumerate(requests):

@@ -98,6 +98,32 @@ def band(name="BAND", parent="DEM"):
     )
 
 
+def dem_units():
+    """Units of a DEM's heights, as the core calls them (None: that of the file) and as the user sees them."""
+    return (
+        (None, tr("as the file says")),
+        ("metres", tr("metres")),
+        ("feet", tr("feet (0.3048 m)")),
+        ("us-ft", tr("US survey feet")),
+        ("decimetres", tr("decimetres")),
+        ("centimetres", tr("centimetres")),
+        ("millimetres", tr("millimetres")),
+        ("kilometres", tr("kilometres")),
+    )
+
+
+def dem_unit(name="DEM_UNIT"):
+    """Choice of the unit of the heights."""
+    parameter = QgsProcessingParameterEnum(
+        name, tr("Unit of the heights"), [label for _, label in dem_units()], defaultValue=0, optional=True
+    )
+    text = tr(
+        "Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit "
+        "in the file, metres are assumed."
+    )
+    return explained(advanced(parameter), text)
+
+
 def horizon_distance_text():
     """Tooltip of the search range of a skyline."""
     return tr(

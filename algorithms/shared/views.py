@@ -82,6 +82,7 @@ def add_view_parameters(algorithm, max_distance_m=30_000.0, photo_needed=True):
     algorithm.addParameter(photo if photo_needed else shared.advanced(photo))
     algorithm.addParameter(shared.dem())
     algorithm.addParameter(shared.band())
+    algorithm.addParameter(shared.dem_unit())
     algorithm.addParameter(shared.max_distance(max_distance_m))
     algorithm.addParameter(shared.statuses())
     texts = {

@@ -49,6 +49,8 @@ class PhotoMetadata:
         Make and model.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
+    panorama : bool
+        Whether the picture is stitched, so that no pinhole camera describes it.
     """
 
     path: str
@@ -68,14 +70,12 @@ class PhotoMetadata:
     taken_at: datetime | None = None
     camera: str | None = None
     notes: tuple[str, ...] = ()
+    panorama: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class Photo:
-    """A photograph, as metadata and upright pixels, uint8 (H, W, 3) RGB.
-
-    The pixels may be a reduced copy; `metadata.width_px, height_px` always give the full size.
-    """
+    """A photograph: metadata (always those of the full size), and upright uint8 (H, W, 3) RGB pixels of any size."""
 
     metadata: PhotoMetadata
     pixels: np.ndarray

@@ -14,11 +14,13 @@ import warnings
 from ..base.optional import available
 from .formats import GDAL_DRIVERS
 from .gdal_quiet import open_quietly, quiet_gdal
+from .xmp import xmp_properties
 
 TAGS = {
     ("Image", 0x010F): "Make",
     ("Image", 0x0110): "Model",
     ("Image", 0x0112): "Orientation",
+    ("Image", 0x0131): "Software",
     ("Image", 0x0132): "DateTime",
     ("EXIF", 0x9003): "DateTimeOriginal",
     ("EXIF", 0x920A): "FocalLength",
@@ -27,6 +29,7 @@ TAGS = {
     ("EXIF", 0xA20E): "FocalPlaneXResolution",
     ("EXIF", 0xA20F): "FocalPlaneYResolution",
     ("EXIF", 0xA210): "FocalPlaneResolutionUnit",
+    ("EXIF", 0xA401): "CustomRendered",
     ("EXIF", 0xA404): "DigitalZoomRatio",
     ("EXIF", 0xA405): "FocalLengthIn35mmFilm",
     ("GPS", 0x0001): "GPSLatitudeRef",
@@ -35,14 +38,19 @@ TAGS = {
     ("GPS", 0x0004): "GPSLongitude",
     ("GPS", 0x0005): "GPSAltitudeRef",
     ("GPS", 0x0006): "GPSAltitude",
+    ("GPS", 0x0009): "GPSStatus",
+    ("GPS", 0x000B): "GPSDOP",
     ("GPS", 0x0010): "GPSImgDirectionRef",
     ("GPS", 0x0011): "GPSImgDirection",
     ("GPS", 0x001F): "GPSHPositioningError",
 }
 """Names in Exif 2.32 by (directory, number)."""
 
-TEXT_TAGS = frozenset(("Make", "Model", "DateTime", "DateTimeOriginal", *(n for n in TAGS.values() if n[-3:] == "Ref")))
-TEXT_TAGS -= {"GPSAltitudeRef"}
+TEXT_TAGS = {"Make", "Model", "Software", "ProjectionType", "DateTime", "DateTimeOriginal", "GPSStatus"}
+TEXT_TAGS |= {name for name in TAGS.values() if name.endswith("Ref")} - {"GPSAltitudeRef"}
+PANORAMA_TAGS = ("ProjectionType", "FullPanoWidthPixels", "CroppedAreaImageWidthPixels")
+"""Names in the XMP namespace GPano, which describes stitched panoramas."""
+
 MAX_VALUES = 16
 """Largest number of values that is read for a tag; no known tag has more, but a damaged count may be larger."""
 
@@ -66,8 +74,14 @@ def read_tags(path, kind):
     for reader in (_by_exifread, _by_pillow, _by_gdal):
         tags = reader(path, kind)
         if tags:
-            return tags
-    return {}
+            return {**tags, **_panorama_tags(path)}
+    return _panorama_tags(path)
+
+
+def _panorama_tags(path):
+    found = xmp_properties(path, "GPano")
+    raw = {name: found[name] for name in PANORAMA_TAGS if name in found}
+    return _normal({name: text if name in TEXT_TAGS else _numbers(text) for name, text in raw.items()})
 
 
 def _by_exifread(path, kind):

@@ -7,6 +7,7 @@ import os
 from ..base.errors import UnreadablePhotoError
 from ..base.messages import Message
 from ..base.optional import available
+from .tiff_pages import check_first_page
 
 PHOTO_SUFFIXES = (".jpg", ".jpeg", ".jpe", ".jfif", ".heic", ".heif", ".hif")
 """Suffixes of the files that `list_photos` takes for photographs, in upper or lower case."""
@@ -43,6 +44,7 @@ def format_of(path):
     if head.startswith(b"\x89PNG\r\n\x1a\n"):
         return "png"
     if head[:4] in (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"):
+        check_first_page(path)
         return "tiff"
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "webp"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import contextmanager
 
 from ..base.optional import available
@@ -35,32 +36,62 @@ def quiet_gdal(warnings=False):
         gdal.PopErrorHandler()
 
 
-def open_quietly(path, drivers=()):
-    """Open a raster for reading; None if GDAL is missing or cannot open it."""
+OPTION = "|option:"
+
+
+def split_options(source):
+    """Split a source as QGIS writes it, `file|option:KEY=VALUE|...`, into the path and a tuple of open options."""
+    if OPTION not in source or os.path.exists(source):
+        return source, ()
+    path, *options = source.split(OPTION)
+    return path, tuple(option for option in options if "=" in option)
+
+
+def open_quietly(path, drivers=(), options=()):
+    """Open a raster for reading; None if GDAL is missing or cannot open it.
+
+    Parameters
+    ----------
+    path : str
+    drivers : sequence of str
+        Names of the only drivers that may open it; empty for any.
+    options : sequence of str
+        Open options, "KEY=VALUE".
+    """
     gdal = available("osgeo.gdal")
     if gdal is None:
         return None
     with quiet_gdal():
         try:
-            return gdal.OpenEx(str(path), gdal.OF_RASTER | gdal.OF_READONLY, allowed_drivers=list(drivers))
+            flags = gdal.OF_RASTER | gdal.OF_READONLY
+            return gdal.OpenEx(str(path), flags, allowed_drivers=list(drivers), open_options=list(options))
         except RuntimeError:
             return None
 
 
-@contextmanager
 def direct_reading():
     """Make GDAL bypass its block cache for uncompressed TIFFs that are opened within the block.
 
     Reading a small window of them then costs only its own bytes, not those of the blocks that it overlaps. Other files
     are not affected.
     """
+    return _setting("GTIFF_DIRECT_IO", "YES")
+
+
+def without_sidecars():
+    """Keep GDAL from writing (and reading) .aux.xml files of rasters that are opened within the block."""
+    return _setting("GDAL_PAM_ENABLED", "NO")
+
+
+@contextmanager
+def _setting(name, value):
+    """Set one of GDAL's options for this thread within the block."""
     gdal = available("osgeo.gdal")
-    name = "GTIFF_DIRECT_IO"
     if gdal is None or not hasattr(gdal, "SetThreadLocalConfigOption"):
         yield
         return
     before = gdal.GetThreadLocalConfigOption(name)
-    gdal.SetThreadLocalConfigOption(name, "YES")
+    gdal.SetThreadLocalConfigOption(name, value)
     try:
         yield
     finally:

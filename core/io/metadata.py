@@ -8,28 +8,29 @@ References
 from __future__ import annotations
 
 from datetime import datetime
-from math import hypot, isfinite
+from math import isfinite
 
-from ..base.camera import DIAGONAL_35MM, DOUBTFUL_FOCAL_SIGMA, FOCAL_SIGMA
+from ..base.camera import FOCAL_SIGMA
 from ..base.messages import Message
-
-MILLIMETRES_PER_UNIT = {1: 25.4, 2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}
-"""Values of FocalPlaneResolutionUnit: 2 inch, 3 centimetre; 1, 4 and 5 (none, mm, um) are read as ExifTool does."""
+from .lens_tags import focal_length_35mm, number, positive
 
 ALTITUDE_REFERENCES = {0: "sea level", 1: "below sea level", 2: "ellipsoid", 3: "ellipsoid"}
-SENSOR_DIAGONALS_MM = (2.0, 80.0)
-"""Range from the smallest phone to medium format; a value outside it means a wrong FocalPlaneXResolution."""
+RANGE_ERROR_M = 5.0
+"""Error of one satellite range, which the dilution of precision (DOP) multiplies."""
 
-SENSOR_SHAPES = (4 / 3, 3 / 2)
-"""Usual shapes of sensors. For pictures of other shapes phones still record the equivalent of the whole sensor, and the
-diagonal rule does not account for that."""
+POOR_DOP = 20.0
+"""A larger dilution of precision is called poor; receivers without a fix write 50, 99 or 9999."""
 
-SAME_SHAPE = 0.01
-"""Relative difference between two shapes that rounding can explain."""
+STITCHED = ("equirectangular", "cylindrical", "spherical")
+"""Values of GPano:ProjectionType whose pictures no lens makes."""
 
-LEAST_CROP = 0.5
-"""A picture whose shape differs from the recorded one was cropped, not reduced, if its sides are at least this share of
-the recorded sides."""
+PANORAMA_RENDERED = 6
+"""Value of CustomRendered that phones write for a panorama made by turning the camera."""
+
+STITCHERS = ("ptgui", "hugin", "autopano", "image composite editor", "panorama studio", "panoramastudio", "photostitch")
+
+STITCHED_WIDER = 1.3
+"""A picture of another shape whose long side is this much longer than the camera's own frame was stitched."""
 
 
 def interpret(tags, width_px, height_px):
@@ -48,45 +49,37 @@ def interpret(tags, width_px, height_px):
         Keyword arguments of `PhotoMetadata`, without path and size.
     """
     notes = []
+    panorama = _is_panorama(tags, width_px, height_px, notes)
     latitude_deg, longitude_deg = _position(tags, notes)
     altitude_m, altitude_reference = _altitude(tags)
     heading_deg, heading_reference = _heading(tags)
-    orientation = _number(tags, "Orientation")
-    focal_length_35mm, focal_sigma = _focal_length_35mm(tags, width_px, height_px, notes)
+    orientation = number(tags, "Orientation")
+    equivalent_mm, focal_sigma = None, FOCAL_SIGMA
+    if not panorama:
+        equivalent_mm, focal_sigma = focal_length_35mm(tags, width_px, height_px, notes)
     return {
         "latitude_deg": latitude_deg,
         "longitude_deg": longitude_deg,
         "altitude_m": altitude_m,
         "altitude_reference": altitude_reference,
-        "focal_length_35mm": focal_length_35mm,
-        "focal_length_mm": _positive(tags, "FocalLength"),
+        "focal_length_35mm": equivalent_mm,
+        "focal_length_mm": positive(tags, "FocalLength"),
         "focal_sigma": focal_sigma,
         "orientation": int(orientation) if orientation in range(1, 9) else 1,
         "compass_heading_deg": heading_deg,
         "compass_reference": heading_reference,
-        "position_error_m": _positive(tags, "GPSHPositioningError"),
+        "position_error_m": None if latitude_deg is None else _position_error_m(tags, notes),
         "taken_at": _time(tags),
         "camera": _camera(tags),
+        "panorama": panorama,
         "notes": tuple(notes),
     }
-
-
-def _number(tags, name):
-    """Give a tag's first value if it is finite, else None."""
-    value = tags.get(name, (float("nan"),))[0]
-    return value if isfinite(value) else None
-
-
-def _positive(tags, name):
-    value = _number(tags, name)
-    return value if value is not None and value > 0 else None
 
 
 def _position(tags, notes):
     if "GPSLatitude" not in tags or "GPSLongitude" not in tags:
         return None, None
-    latitude_deg = _degrees(tags["GPSLatitude"])
-    longitude_deg = _degrees(tags["GPSLongitude"])
+    latitude_deg, longitude_deg = _degrees(tags["GPSLatitude"]), _degrees(tags["GPSLongitude"])
     if not (isfinite(latitude_deg) and isfinite(longitude_deg)):
         notes.append(Message("The recorded coordinates are not numbers (no GPS fix) and were ignored."))
         return None, None
@@ -98,10 +91,24 @@ def _position(tags, notes):
     if latitude_deg == 0 and longitude_deg == 0:
         notes.append(Message("The recorded coordinates are 0, 0 (no GPS fix) and were ignored."))
         return None, None
-    south, west = _reference(tags, "GPSLatitudeRef"), _reference(tags, "GPSLongitudeRef")
-    if south not in ("N", "S") or west not in ("E", "W"):
+    north, east = _reference(tags, "GPSLatitudeRef"), _reference(tags, "GPSLongitudeRef")
+    if north not in ("N", "S") or east not in ("E", "W"):
         notes.append(Message("The hemisphere is not recorded; north and east were assumed where it is missing."))
-    return (-latitude_deg if south == "S" else latitude_deg), (-longitude_deg if west == "W" else longitude_deg)
+    if tags.get("GPSStatus", "").upper() == "V":
+        notes.append(
+            Message("The GPS had no fix when the photo was taken, so the position may be that of another place.")
+        )
+    return _signed(latitude_deg, north, "NS"), _signed(longitude_deg, east, "EW")
+
+
+def _signed(value_deg, reference, letters):
+    """Apply the hemisphere's letter to the size of a coordinate; without a letter its own sign counts.
+
+    Writers that hand signed degrees to the tag record the sign twice, as ExifTool assumes too.
+    """
+    if reference not in tuple(letters):
+        return value_deg
+    return -abs(value_deg) if reference == letters[1] else abs(value_deg)
 
 
 def _reference(tags, name):
@@ -109,92 +116,75 @@ def _reference(tags, name):
 
 
 def _degrees(parts):
-    """Convert degrees, minutes and seconds (the last ones may be missing) to decimal degrees."""
-    return sum(part / 60**power for power, part in enumerate(parts[:3]))
+    """Convert degrees, minutes and seconds (the last ones may be missing) to decimal degrees, with any part's sign."""
+    size = sum(abs(part) / 60**power for power, part in enumerate(parts[:3]))
+    return -size if any(part < 0 for part in parts[:3]) else size
+
+
+def _position_error_m(tags, notes):
+    """Give the recorded standard deviation of the position, or the one that a poor DOP implies [m]; None if unknown."""
+    recorded, dop = positive(tags, "GPSHPositioningError"), positive(tags, "GPSDOP")
+    if dop is None or dop < POOR_DOP:
+        return recorded
+    error_m = max(recorded or 0.0, RANGE_ERROR_M * dop)
+    notes.append(
+        Message(
+            "The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.",
+            dop=f"{dop:.0f}",
+            metres=f"{error_m:.0f}",
+        )
+    )
+    return error_m
 
 
 def _altitude(tags):
-    altitude_m = _number(tags, "GPSAltitude")
+    altitude_m = number(tags, "GPSAltitude")
     if altitude_m is None or abs(altitude_m) > 100_000:
         return None, None
-    code = _number(tags, "GPSAltitudeRef") or 0  # the default in the standard
+    code = number(tags, "GPSAltitudeRef") or 0  # the default in the standard
     if code in (1, 3):
         altitude_m = -abs(altitude_m)
     return altitude_m, ALTITUDE_REFERENCES.get(code)
 
 
 def _heading(tags):
-    heading_deg = _number(tags, "GPSImgDirection")
+    heading_deg = number(tags, "GPSImgDirection")
     if heading_deg is None or not 0 <= heading_deg <= 360:
         return None, None
     reference = _reference(tags, "GPSImgDirectionRef")
     return heading_deg % 360, reference if reference in ("T", "M") else None
 
 
-def _focal_length_35mm(tags, width_px, height_px, notes):
-    """Give the 35 mm equivalent of the picture in its present crop (None if unknown), and its relative sigma."""
-    recorded = _positive(tags, "FocalLengthIn35mmFilm")
-    length = recorded or _from_focal_plane(tags, width_px, height_px)
-    if length is None:
-        return None, FOCAL_SIGMA
-    if recorded is None:
-        notes.append(Message("The 35 mm equivalent was derived from the focal length and the focal plane resolution."))
-    size = max(width_px, height_px), min(width_px, height_px)
-    enlarged = _crop_factor(*_recorded_size(tags, size), *size)
-    if enlarged > 1:
+def _is_panorama(tags, width_px, height_px, notes):
+    """Tell whether the file says that the picture is a panorama, or marks of stitching show it."""
+    projection, rendered = tags.get("ProjectionType", "").lower(), number(tags, "CustomRendered")
+    program = tags.get("Software", "").lower()
+    recorded = positive(tags, "PixelXDimension"), positive(tags, "PixelYDimension")
+    long, short = max(width_px, height_px), min(width_px, height_px)
+    wider = (
+        None not in recorded
+        and long > STITCHED_WIDER * max(recorded)
+        and long / short > STITCHED_WIDER * (max(recorded) / min(recorded))
+    )
+    full, cropped = positive(tags, "FullPanoWidthPixels"), positive(tags, "CroppedAreaImageWidthPixels")
+    if not (
+        projection in STITCHED
+        or full is not None
+        or rendered == PANORAMA_RENDERED
+        or wider
+        or any(name in program for name in STITCHERS)
+    ):
+        return False
+    if full and cropped and cropped <= full:
         notes.append(
             Message(
-                "The picture is cropped: a 35 mm equivalent of {used} mm was used instead of "
-                "{recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.",
-                used=f"{length * enlarged:.0f}",
-                recorded=f"{length:.0f}",
+                "The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.",
+                angle=f"{360 * cropped / full:.0f}",
             )
         )
-    zoomed = (_positive(tags, "DigitalZoomRatio") or 1.0) > 1
-    usual = any(_same_shape(size[0] / size[1], shape) for shape in SENSOR_SHAPES)
-    return length * enlarged, DOUBTFUL_FOCAL_SIGMA if enlarged > 1 or zoomed or not usual else FOCAL_SIGMA
-
-
-def _recorded_size(tags, size):
-    """Give the long and short side of the picture as the camera stored it; `size` if that is not recorded."""
-    sides = _positive(tags, "PixelXDimension"), _positive(tags, "PixelYDimension")
-    return size if None in sides else (max(sides), min(sides))
-
-
-def _crop_factor(recorded_long, recorded_short, long, short):
-    """Give the factor by which cropping narrowed the recorded field of view; 1 if the picture was not cropped.
-
-    A copy of another shape that is not much smaller was cropped without resampling. A much smaller one is taken for a
-    reduced copy of the largest crop of its shape.
-    """
-    kept = max(long / recorded_long, short / recorded_short)
-    if _same_shape(recorded_long / recorded_short, long / short) or kept > 1:
-        return 1.0
-    scale = 1.0 if kept >= LEAST_CROP else kept
-    return hypot(recorded_long, recorded_short) * scale / hypot(long, short)
-
-
-def _same_shape(one, other):
-    return abs(one - other) <= SAME_SHAPE * other
-
-
-def _from_focal_plane(tags, width_px, height_px):
-    """Derive the 35 mm equivalent of the recorded frame by the diagonal rule from the sensor; None if unknown."""
-    focal_mm, unit_mm = (
-        _positive(tags, "FocalLength"),
-        MILLIMETRES_PER_UNIT.get(_number(tags, "FocalPlaneResolutionUnit") or 2),
-    )
-    x_resolution, y_resolution = _positive(tags, "FocalPlaneXResolution"), _positive(tags, "FocalPlaneYResolution")
-    if None in (focal_mm, unit_mm, x_resolution, y_resolution):
-        return None
-    # The resolution refers to the picture as the camera stored it; a resampled copy shows the same field of view.
-    stored_width = _positive(tags, "PixelXDimension") or width_px
-    stored_height = _positive(tags, "PixelYDimension") or height_px
-    sensor_mm = hypot(stored_width / x_resolution, stored_height / y_resolution) * unit_mm
-    if not SENSOR_DIAGONALS_MM[0] <= sensor_mm <= SENSOR_DIAGONALS_MM[1]:
-        return None
-    zoom = _positive(tags, "DigitalZoomRatio") or 1.0
-    return focal_mm * max(zoom, 1.0) * DIAGONAL_35MM / sensor_mm
+    else:
+        notes.append(Message("The picture is a panorama, not that of one lens; its field of view is unknown."))
+    return True
 
 
 def _time(tags):

@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-import os
 import zipfile
 import zlib
 from dataclasses import fields, replace
@@ -23,6 +22,7 @@ from ..base.camera import Camera, Pose
 from ..base.messages import Message
 from ..base.model import Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata, Skyline, SkylineEvidence
 from ..base.uncertainty import PoseUncertainty
+from .file_state import file_state
 
 CORE = Path(__file__).resolve().parent.parent
 PROGRAM = (".py", ".json", ".txt")
@@ -49,8 +49,7 @@ def orientation_mark(request, dem, options):
     options : core.pipeline.OrientOptions
         All other options that affect the answer; compared by their `repr`.
     """
-    facts = [_program(), *map(_file_state, (request.path, request.sky_mask_path, dem.path)), dem.band]
-    facts += [dem.shape, dem.geotransform, dem.crs_wkt, request, options]
+    facts = [_program(), *map(file_state, (request.path, request.sky_mask_path)), dem.state, request, options]
     return hashlib.sha256(repr(facts).encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
 
@@ -61,14 +60,6 @@ def _program():
         digest.update(path.relative_to(CORE).as_posix().encode())
         digest.update(path.read_bytes())
     return digest.hexdigest()
-
-
-def _file_state(path):
-    try:
-        state = os.stat(path)
-    except (OSError, TypeError):  # not a regular file: a database, an archive, or no sky mask
-        return path
-    return os.path.abspath(path), state.st_size, state.st_mtime_ns
 
 
 def packed(oriented, mark):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import cached_property
 
 import numpy as np
 from osgeo import gdal
@@ -11,10 +12,14 @@ from ..base.angles import wrap_180
 from ..base.errors import ObserverOutsideDemError, UnusableDemError
 from ..base.frame import tabulate_frame
 from ..base.messages import Message
-from ..base.terrain import Terrain, Window
+from ..base.terrain import Terrain
 from .crs import WGS84, Transformer, area_around, from_wgs84, local_plane, spatial_reference, to_wgs84, x_period
-from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache
+from .dem_inspection import STRIP_BYTES, check_colours, inspect, windows
+from .dem_reading import DemReading, in_ranges
+from .file_state import dataset_state
+from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, small_cache, split_options
 from .georeference import check_band, crs_of, geotransform_of
+from .height_unit import metres_per_unit
 
 PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Range of elevations on Earth, with a margin; values outside it are fill values (-32768, -3.4e38, 1e20, ...), tagged
@@ -23,30 +28,21 @@ or not."""
 COMMON_FILL = -9999.0
 """Value that counts as nodata even without a tag; as a depth it occurs in ocean trenches only."""
 
-METRES_PER_UNIT = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937,
-                   "ussurveyfoot": 1200 / 3937, "cm": 0.01, "dm": 0.1, "km": 1000.0}  # fmt: skip
-"""Factors by the band's unit; all other units count as metres."""
 
-STRIP_BYTES = 16 * 2**20
-
-SEARCHED_CELLS = 500_000_000
-"""Number of cells searched for a valid one before a raster counts as empty, which takes some seconds."""
-
-LOWLAND_M = 100.0
-"""Terrain with 99 % of its cells above this has no sea, so that zeros along its edges are missing data [m]."""
-
-
-def open_dem(path, band=1, crs=None):
+def open_dem(path, band=1, crs=None, reading=DemReading()):  # noqa: B008 - frozen
     """Open an elevation model.
 
     Parameters
     ----------
     path : str
-        Anything that GDAL reads as a raster with a CRS: GeoTIFF, COG, HGT, VRT, ...
+        Anything that GDAL reads as a raster with a CRS: GeoTIFF, COG, HGT, VRT, ...; with `|option:KEY=VALUE` behind it
+        for each open option, as QGIS writes them.
     band : int
         Number of the band, from 1.
     crs : str or None
         WKT or anything that OSR reads, used instead of the file's own CRS, for example one assigned in QGIS.
+    reading : DemReading
+        Unit and nodata that the user chose.
 
     Returns
     -------
@@ -56,9 +52,9 @@ def open_dem(path, band=1, crs=None):
     ------
     UnusableDemError
     """
-    path = os.fspath(path)
+    path, options = split_options(os.fspath(path))
     with direct_reading():
-        dataset = open_quietly(path)
+        dataset = open_quietly(path, options=options)
     if dataset is None:
         if not os.path.exists(path):
             raise UnusableDemError(Message("The DEM {path} does not exist. Check the path.", path=path))
@@ -67,8 +63,9 @@ def open_dem(path, band=1, crs=None):
         )
     with quiet_gdal():  # only now GDAL reads the rest of the header and reports its faults
         check_band(path, dataset, band)
-        dem = Dem(path, dataset, band, crs_of(path, dataset, crs), geotransform_of(path, dataset))
-        dem._inspect()
+        check_colours(path, dataset, band, reading.unit)
+        dem = Dem(path, dataset, band, crs_of(path, dataset, crs), reading)
+        dem.zero_is_void = inspect(dem)
     return dem
 
 
@@ -85,25 +82,62 @@ class Dem(Terrain):
     geotransform : tuple of 6 floats
         Geotransform as in GDAL, without rotation.
     nodata : float or None
-        Nodata value from the file's tag.
+        Nodata value from the file's tag, unless the user has switched it off.
+    reading : DemReading
     zero_is_void : bool
         Whether zeros are read as missing data, because they lie untagged along the edges of a highland.
     """
 
-    def __init__(self, path, dataset, band, crs_wkt, geotransform):
-        self.path, self.band, self.crs_wkt, self.geotransform = path, band, crs_wkt, geotransform
+    def __init__(self, path, dataset, band, crs_wkt, reading):
+        self.path, self.band, self.crs_wkt, self.reading = path, band, crs_wkt, reading
+        self.geotransform = geotransform_of(path, dataset)
         self.shape = dataset.RasterYSize, dataset.RasterXSize
         self._dataset, self._band = dataset, dataset.GetRasterBand(band)
-        self.nodata = self._band.GetNoDataValue()
+        self.nodata = self._band.GetNoDataValue() if reading.own_nodata else None
         with np.errstate(over="ignore"):
             self._fill = np.float32(np.nan if self.nodata is None else self.nodata)
         self.zero_is_void = False
-        unit_m = METRES_PER_UNIT.get((self._band.GetUnitType() or "").strip().lower(), 1.0)
+        self._unit_m = metres_per_unit(dataset, self._band, crs_wkt, reading.unit)
         scale, offset = self._band.GetScale(), self._band.GetOffset()
-        self._scale = (1.0 if scale is None else scale) * unit_m
-        self._offset = (0.0 if offset is None else offset) * unit_m
+        self._scale = (1.0 if scale is None else scale) * self._unit_m
+        self._offset = (0.0 if offset is None else offset) * self._unit_m
         masked = self._band.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA)
         self._mask = self._band.GetMaskBand() if masked else None
+
+    @cached_property
+    def state(self):
+        """Everything by which a kept result notices that the DEM is another one, or is read in another way."""
+        files = dataset_state(self.path, self._dataset)
+        return (files, self.band, self.shape, self.geotransform, self.crs_wkt, self.nodata, self._scale, self._offset,
+                self.reading.nodata_ranges)  # fmt: skip
+
+    @property
+    def description(self):
+        """Name of the band in its file."""
+        return self._band.GetDescription() or ""
+
+    @property
+    def block_rows(self):
+        """Rows of a block of the file."""
+        return self._band.GetBlockSize()[1]
+
+    @property
+    def highest_value(self):
+        """Value of the band above which a cell counts as nodata."""
+        return (PLAUSIBLE_M[1] - self._offset) / self._scale if self._scale > 0 else np.inf
+
+    def raw_sample(self):
+        """Give the finite values of the band in evenly spread windows, also those that count as nodata."""
+        values = []
+        with quiet_gdal():
+            for window in windows(self.shape):
+                try:
+                    cells = self._band.ReadAsArray(window.col, window.row, window.cols, window.rows)
+                except RuntimeError:
+                    cells = None
+                values.append(np.zeros(0) if cells is None else cells.astype(float).ravel())
+        values = np.concatenate(values)
+        return values[np.isfinite(values) & (values != float(self._fill))]
 
     def __repr__(self):
         rows, cols = self.shape
@@ -155,6 +189,8 @@ class Dem(Terrain):
         if self._scale != 1.0 or self._offset != 0.0:
             np.multiply(strip, np.float32(self._scale), out=strip)
             np.add(strip, np.float32(self._offset), out=strip)
+        if self.reading.nodata_ranges:
+            void |= in_ranges(strip, self.reading.nodata_ranges, self._unit_m)
         with np.errstate(invalid="ignore"):
             void |= (strip <= PLAUSIBLE_M[0]) | (strip >= PLAUSIBLE_M[1])
         strip[void] = np.nan
@@ -163,7 +199,7 @@ class Dem(Terrain):
         """Tell whether no value in this range needs an individual check, which saves six of eight passes."""
         plausible = PLAUSIBLE_M[0] < lowest and highest < PLAUSIBLE_M[1]  # False for NaN too
         fill = lowest <= self._fill <= highest or lowest <= COMMON_FILL <= highest
-        zero = self.zero_is_void and lowest <= 0 <= highest
+        zero = self.zero_is_void and lowest <= 0 <= highest or self.reading.nodata_ranges
         return plausible and not fill and not zero and self._scale == 1.0 and self._offset == 0.0
 
     def frame(self, longitude_deg, latitude_deg, radius_m):
@@ -237,49 +273,3 @@ class Dem(Terrain):
         """Shift x by whole periods of the CRS to the repetition of the world in which the raster lies."""
         middle_x = self.geotransform[0] + self.geotransform[1] * self.shape[1] / 2
         return middle_x + wrap_180((x - middle_x) * (360 / period)) * (period / 360)
-
-    def _inspect(self):
-        """Refuse a raster without a valid cell, and determine whether zero means missing data."""
-        sample, edge = self._sample()
-        valid = sample[np.isfinite(sample)]
-        if valid.size == 0 and not self._any_valid():
-            raise UnusableDemError(
-                Message(
-                    "Band {band} of the DEM {path} has no valid cell. Choose another DEM.",
-                    band=self.band,
-                    path=self.path,
-                )
-            )
-        land = valid[valid != 0]
-        self.zero_is_void = bool((edge == 0).any() and land.size >= 100 and np.percentile(land, 1) > LOWLAND_M)
-
-    def _sample(self, side=9, patch=16):
-        """Read `side` x `side` small windows, evenly spread with the corners; give all cells and those at the edge."""
-        rows, cols = self.shape
-        values, edge = [], []
-        for row in np.unique(np.linspace(0, max(rows - patch, 0), side).astype(int)):
-            for col in np.unique(np.linspace(0, max(cols - patch, 0), side).astype(int)):
-                cells = self.read(Window(int(row), int(col), patch, patch).clipped(self.shape))
-                values.append(cells.ravel())
-                if row == 0:
-                    edge.append(cells[0])
-                if col == 0:
-                    edge.append(cells[:, 0])
-                if row + patch >= rows:
-                    edge.append(cells[-1])
-                if col + patch >= cols:
-                    edge.append(cells[:, -1])
-        return np.concatenate(values), np.concatenate(edge)
-
-    def _any_valid(self):
-        """Search strips for a valid cell: all of them up to `SEARCHED_CELLS`, else evenly spaced ones."""
-        rows, cols = self.shape
-        height = self._band.GetBlockSize()[1]
-        height *= max(STRIP_BYTES // (4 * cols * height), 1)
-        starts = np.arange(0, rows, height)
-        most = max(SEARCHED_CELLS // (height * cols), 1)
-        if len(starts) > most:
-            starts = starts[np.linspace(0, len(starts) - 1, most).astype(int)]
-        return any(
-            np.isfinite(self.read(Window(int(row), 0, height, cols).clipped(self.shape))).any() for row in starts
-        )

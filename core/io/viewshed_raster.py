@@ -48,7 +48,7 @@ def fingerprint(dem, observer, sector, options, *others):
     Parameters
     ----------
     dem : Dem
-        File and band are included; a changed file is detected by size and modification time, as `make` does.
+        Its `state` is included.
     observer : Observer
     sector : Sector
     options : ViewshedOptions
@@ -59,17 +59,9 @@ def fingerprint(dem, observer, sector, options, *others):
     -------
     str
     """
-    facts = [VERSION, *_file_facts(dem), dem.shape, dem.geotransform, dem.crs_wkt, observer, options]
+    facts = [VERSION, dem.state, observer, options]
     facts += [type(sector).__name__, *(_plain(value) for value in vars(sector).values()), *others]
     return hashlib.sha256(repr(facts).encode()).hexdigest()[:32]
-
-
-def _file_facts(dem):
-    try:
-        state = os.stat(dem.path)
-    except OSError:  # not a regular file: a database, an archive
-        return dem.path, dem.band
-    return os.path.abspath(dem.path), dem.band, state.st_size, state.st_mtime_ns
 
 
 def _plain(value):

@@ -9,7 +9,8 @@ from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.declination import declination_deg
 from skyline_viewshed.core.base.errors import TerrainError, UnusableDemError
-from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, orient_request
+from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, doubt_of_heights, orient_request
+from skyline_viewshed.core.io.dem_reading import DemReading
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
@@ -261,3 +262,55 @@ def test_the_same_dem_as_cog_and_in_other_coordinate_systems_gives_the_same_head
     for path in (utm, degrees):
         assert found[path].heading_deg == pytest.approx(first.heading_deg, abs=0.15), path
         assert found[path].pitch_deg == pytest.approx(first.pitch_deg, abs=0.15), path
+
+
+@pytest.fixture(scope="module")
+def variant(scene, tmp_path_factory):
+    """Write the northern photo with other metadata; takes them by name."""
+
+    def write(**changes):
+        photo = read_photo(str(scene.folder / "north.jpg"))
+        path = str(tmp_path_factory.mktemp("variant") / "north.jpg")
+        write_photo(path, photo.pixels, replace(photo.metadata, **changes))
+        return path
+
+    return write
+
+
+def test_an_altitude_far_from_the_dem_is_not_accepted_and_has_no_interval(dem, north, variant):
+    assert north.orientation.status == "accepted"
+    path = variant(altitude_m=north.ground_elevation_m - 326.0, altitude_reference="sea level")
+    found = orient_request(PhotoRequest(path), dem)
+    assert found.orientation.status == "ambiguous"
+    assert "326 m below the DEM's surface, more than GPS and DEM allow" in found.orientation.message
+    assert found.orientation.p_correct <= 0.5
+    assert found.orientation.heading_lo_deg is None
+
+
+def test_a_dem_in_feet_is_suspected_before_the_run_and_right_once_its_unit_is_set(scene, dem, north, variant):
+    path = variant(altitude_m=north.ground_elevation_m + 12.0, altitude_reference="sea level")
+    in_metres = [PhotoRequest(path)]
+    assert doubt_of_heights(in_metres, dem) is None
+    feet = open_dem(str(scene.dem), reading=DemReading(unit=1 / 0.3048))  # as if a file in feet said metres
+    assert "as if its heights were in feet" in doubt_of_heights(in_metres, feet)
+
+
+@pytest.mark.parametrize("error_m", [65_000.0, 238_000.0])
+def test_a_position_without_a_fix_has_no_heading(dem, variant, error_m):
+    path = variant(position_error_m=error_m)
+    metadata = read_photo(path).metadata
+    for request in (PhotoRequest(path), PhotoRequest(path, metadata.longitude_deg, metadata.latitude_deg)):
+        found = orient_request(request, dem)
+        assert found.orientation.status == "failed"
+        assert "uncertain by" in found.orientation.message
+        assert found.orientation.best is None
+
+
+def test_a_panorama_is_no_pinhole_picture_unless_its_field_of_view_is_given(scene, dem):
+    photo = read_photo(str(scene.folder / "north.jpg"), 1024)
+    stitched = replace(photo, metadata=replace(photo.metadata, panorama=True, focal_length_35mm=None))
+    request = PhotoRequest(str(scene.folder / "north.jpg"))
+    found = orient_request(request, dem, photo=stitched)
+    assert (found.orientation.status, found.orientation.best) == ("failed", None)
+    assert "stitched panorama" in found.orientation.message
+    assert orient_request(replace(request, hfov_deg=60.0), dem, photo=stitched).orientation.best is not None

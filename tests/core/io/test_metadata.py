@@ -27,6 +27,7 @@ def test_without_tags_everything_is_unknown():
     assert found.pop("orientation") == 1
     assert found.pop("notes") == ()
     assert found.pop("focal_sigma") == FOCAL_SIGMA
+    assert found.pop("panorama") is False
     assert set(found.values()) == {None}
 
 
@@ -66,6 +67,39 @@ def test_a_place_on_the_equator_or_the_meridian_is_a_place():
     found = fields(**{**BERNE, "GPSLatitude": (0.0, 0.0, 0.0)})
     assert found["latitude_deg"] == 0
     assert found["longitude_deg"] > 7
+
+
+@pytest.mark.parametrize("latitude", [(-33.0, 51.0, 30.0), (-33.0, -51.0, -30.0), (-33.858333,), (33.858333,)])
+@pytest.mark.parametrize("south, sign", [("N", 1), ("S", -1)])
+def test_the_reference_decides_where_the_sign_is_given_twice(latitude, south, sign):
+    found = fields(**{**BERNE, "GPSLatitude": latitude, "GPSLatitudeRef": south})
+    assert found["latitude_deg"] == pytest.approx(sign * 33.858333, abs=1e-5)
+    west = fields(**{**BERNE, "GPSLongitude": (-7.5,), "GPSLongitudeRef": "W"})
+    assert west["longitude_deg"] == -7.5
+
+
+def test_without_a_reference_the_sign_counts():
+    found = fields(GPSLatitude=(-46.0, 30.0, 0.0), GPSLongitude=(-7.0,))
+    assert (found["latitude_deg"], found["longitude_deg"]) == (-46.5, -7.0)
+
+
+@pytest.mark.parametrize(
+    "tags, error_m, said",
+    [
+        ({"GPSHPositioningError": (65_000.0,)}, 65_000, None),
+        ({"GPSDOP": (3.0,)}, None, None),
+        ({"GPSDOP": (3.0,), "GPSHPositioningError": (12.0,)}, 12, None),
+        ({"GPSDOP": (99.0,)}, 495, "imprecise (DOP 99)"),
+        ({"GPSDOP": (9999.0,), "GPSHPositioningError": (5.0,)}, 49_995, "imprecise (DOP 9999)"),
+        ({"GPSStatus": "V"}, None, "no fix"),
+        ({"GPSStatus": "A"}, None, None),
+    ],
+)
+def test_a_receiver_without_a_fix_is_said(tags, error_m, said):
+    found = fields(**BERNE, **tags)
+    assert found["position_error_m"] == error_m
+    assert [note for note in found["notes"] if said and said in note] == list(found["notes"])
+    assert bool(found["notes"]) == (said is not None)
 
 
 def test_half_a_position_is_none():
@@ -165,7 +199,6 @@ CROPS = {
     "cropped by the phone's own editor": ((4032, 3024), (2566, 3313), np.hypot(4032, 3024) / np.hypot(2566, 3313)),
     "a wide strip": ((4032, 3024), (4032, 2268), np.hypot(4032, 3024) / np.hypot(4032, 2268)),
     "a wide strip, reduced": ((4032, 3024), (1024, 576), np.hypot(4032, 3024) / np.hypot(4032, 2268)),
-    "stitched": ((4032, 3024), (9000, 3000), 1.0),
 }
 
 
@@ -214,6 +247,83 @@ def test_an_impossible_sensor_gives_nothing():
     assert interpret(tags, 6000, 4000)["focal_length_35mm"] is None
 
 
+@pytest.mark.parametrize("recorded", [1.0, 4.0, 7.9, 3001.0, 65535.0])
+def test_an_equivalent_that_no_lens_has_is_ignored_and_said(recorded):
+    found = fields(FocalLengthIn35mmFilm=(recorded,))
+    assert found["focal_length_35mm"] is None
+    assert "No lens has the recorded 35 mm equivalent" in found["notes"][0]
+
+
+@pytest.mark.parametrize("recorded", [8.0, 13.0, 3000.0])
+def test_extreme_lenses_are_lenses(recorded):
+    assert fields(FocalLengthIn35mmFilm=(recorded,))["focal_length_35mm"] == recorded
+
+
+def test_an_equivalent_much_shorter_than_the_lens_is_ignored_but_not_that_of_medium_format():
+    assert fields(FocalLengthIn35mmFilm=(24.0,), FocalLength=(200.0,))["focal_length_35mm"] is None
+    assert fields(FocalLengthIn35mmFilm=(63.0,), FocalLength=(80.0,))["focal_length_35mm"] == 63
+
+
+def test_an_impossible_equivalent_is_replaced_by_that_of_the_sensor():
+    found = interpret({**full_frame(6000, 4000, 2.0, 25.4), "FocalLengthIn35mmFilm": (1.0,)}, 6000, 4000)
+    assert found["focal_length_35mm"] == pytest.approx(50.0)
+
+
+def test_a_focal_length_that_contradicts_the_sensor_is_doubted():
+    tags = full_frame(6000, 4000, 2.0, 25.4)
+    found = interpret({**tags, "FocalLengthIn35mmFilm": (75.0,)}, 6000, 4000)
+    assert found["focal_length_35mm"] == 75
+    assert found["focal_sigma"] == pytest.approx(np.log(1.5))
+    assert "contradicts" in found["notes"][0]
+    assert interpret({**tags, "FocalLengthIn35mmFilm": (52.0,)}, 6000, 4000)["focal_sigma"] == FOCAL_SIGMA
+
+
+@pytest.mark.parametrize(
+    "focal, recorded, zoom, used",
+    [
+        (4.2, 28.0, 4.0, 112.0),  # else a sensor of 26 mm would be behind a lens of 4.2 mm
+        (6.86, 33.0, 1.377, 33.0),  # iPhone 15: 24 mm, and the zoom is in it
+        (6.86, 99.0, 2.05, 99.0),
+        (15.66, 163.0, 1.36, 163.0),
+        (6.86, 26.0, 5.0, 130.0),
+        (50.0, 75.0, 2.0, 75.0),
+    ],
+)
+def test_a_digital_zoom_that_the_equivalent_leaves_out_is_applied(focal, recorded, zoom, used):
+    found = fields(FocalLength=(focal,), FocalLengthIn35mmFilm=(recorded,), DigitalZoomRatio=(zoom,))
+    assert found["focal_length_35mm"] == pytest.approx(used)
+    assert any("leaves out the digital zoom" in note for note in found["notes"]) == (used != recorded)
+
+
+PANORAMAS = {
+    "GPano": {
+        "ProjectionType": "cylindrical",
+        "FullPanoWidthPixels": (8000.0,),
+        "CroppedAreaImageWidthPixels": (4000.0,),
+    },
+    "GPano, equirectangular": {"ProjectionType": "equirectangular"},
+    "a phone's sweep": {"CustomRendered": (6.0,)},
+    "a stitching program": {"Software": "Hugin 2022.0.0"},
+    "larger than the camera's frame": {"PixelXDimension": (3000.0,), "PixelYDimension": (2000.0,)},
+}
+
+
+@pytest.mark.parametrize("case", PANORAMAS)
+def test_a_panorama_has_no_focal_length(case):
+    found = interpret({"FocalLengthIn35mmFilm": (26.0,), **PANORAMAS[case]}, 5000, 1000)
+    assert found["panorama"]
+    assert found["focal_length_35mm"] is None
+    assert "is a panorama" in found["notes"][0]
+    assert ("180 degrees" in found["notes"][0]) == (case == "GPano")
+
+
+@pytest.mark.parametrize(
+    "tags", [{}, {"CustomRendered": (8.0,)}, {"ProjectionType": "rectilinear"}, {"Software": "17.0"}]
+)
+def test_a_wide_crop_or_a_portrait_mode_is_no_panorama(tags):
+    assert not interpret({"FocalLengthIn35mmFilm": (26.0,), **tags}, 5000, 1000)["panorama"]
+
+
 @pytest.mark.parametrize("recorded, orientation", [(6.0, 6), (0.0, 1), (9.0, 1), (NAN, 1), (2.5, 1)])
 def test_orientation_is_1_to_8(recorded, orientation):
     assert fields(Orientation=(recorded,))["orientation"] == orientation
@@ -235,8 +345,10 @@ def test_maker_and_model_are_joined_without_repetition():
 NUMBERS = st.lists(st.floats(allow_nan=True, allow_infinity=True), min_size=1, max_size=4).map(tuple)
 NAMES = ["GPSLatitude", "GPSLongitude", "GPSAltitude", "GPSAltitudeRef", "GPSImgDirection", "GPSHPositioningError",
          "FocalLength", "FocalLengthIn35mmFilm", "FocalPlaneXResolution", "FocalPlaneYResolution", "Orientation",
-         "FocalPlaneResolutionUnit", "PixelXDimension", "PixelYDimension", "DigitalZoomRatio"]  # fmt: skip
-TEXTS = ["GPSLatitudeRef", "GPSLongitudeRef", "GPSImgDirectionRef", "DateTimeOriginal", "DateTime", "Make", "Model"]
+         "FocalPlaneResolutionUnit", "PixelXDimension", "PixelYDimension", "DigitalZoomRatio", "GPSDOP",
+         "CustomRendered", "FullPanoWidthPixels", "CroppedAreaImageWidthPixels"]  # fmt: skip
+TEXTS = ["GPSLatitudeRef", "GPSLongitudeRef", "GPSImgDirectionRef", "DateTimeOriginal", "DateTime", "Make", "Model",
+         "GPSStatus", "Software", "ProjectionType"]  # fmt: skip
 
 
 @settings(max_examples=300, deadline=None, derandomize=True, database=None)

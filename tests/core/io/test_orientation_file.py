@@ -6,7 +6,6 @@ import json
 import os
 from dataclasses import fields, is_dataclass, replace
 from datetime import datetime
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,6 +25,7 @@ from skyline_viewshed.core.base.model import (
 )
 from skyline_viewshed.core.batch import LandmarkHint, PhotoRequest
 from skyline_viewshed.core.io import orientation_file
+from skyline_viewshed.core.io.file_state import dataset_state
 from skyline_viewshed.core.io.orientation_file import orientation_mark, packed, unpacked
 from skyline_viewshed.core.pipeline import OrientOptions
 
@@ -165,14 +165,27 @@ def test_nothing_in_a_file_is_executed(tmp_path):
     assert not (tmp_path / "exploded").exists()
 
 
+class DemFile:
+    """The part of a DEM on which the mark depends."""
+
+    def __init__(self, path, band=1):
+        self.path, self.band = path, band
+
+    def GetFileList(self):  # noqa: N802 - GDAL's name
+        return [self.path]
+
+    @property
+    def state(self):
+        return dataset_state(self.path, self), self.band
+
+
 @pytest.fixture
 def inputs(tmp_path):
     """A request, a DEM and options whose files exist."""
     for name in ("photo.jpg", "mask.png", "dem.tif"):
         (tmp_path / name).write_bytes(b"content")
     request = PhotoRequest(str(tmp_path / "photo.jpg"), 8.0, 46.5, sky_mask_path=str(tmp_path / "mask.png"))
-    dem = SimpleNamespace(path=str(tmp_path / "dem.tif"), band=1, shape=(9, 9), geotransform=(0, 1), crs_wkt="EPSG")
-    return request, dem, OrientOptions()
+    return request, DemFile(str(tmp_path / "dem.tif")), OrientOptions()
 
 
 def test_the_mark_stays_while_nothing_changes(inputs):
@@ -213,7 +226,7 @@ def test_any_other_request_option_or_band_changes_the_mark(inputs):
     ]
     marks = {orientation_mark(request, dem, options), *(orientation_mark(r, dem, options) for r in requests)}
     marks |= {orientation_mark(request, dem, other) for other in others}
-    marks.add(orientation_mark(request, SimpleNamespace(**{**vars(dem), "band": 2}), options))
+    marks.add(orientation_mark(request, DemFile(dem.path, band=2), options))
     assert len(marks) == 1 + len(requests) + len(others) + 1
 
 
