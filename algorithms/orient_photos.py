@@ -24,7 +24,8 @@ from .shared.orientation import (
     summary,
 )
 from .shared.oriented import oriented_specs
-from .shared.outputs import write_features
+from .shared.outputs import rehearse, write_features
+from .shared.placing import Placing
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
@@ -99,12 +100,15 @@ class OrientPhotos(DemAlgorithm):
         options = options_of(self, parameters, context)
         requests = requests_of(self, parameters, context, rows)
         fields, kept = oriented_fields(source)
+        rehearse(self, parameters, "OUTPUT", context, (fields, source.wkbType(), source.sourceCrs()))
+        placing = Placing(source.wkbType(), source.sourceCrs(), context)
         features, statuses = [], []
         folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
         with PhotoReport(self, parameters, context, len(rows)) as report:
             oriented_photos = orient_each(requests, self.dem.open(), options, feedback, folder, (0.0, 0.95))
             for row, oriented in zip(rows, oriented_photos):
-                features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
+                place = placing.of(row, oriented)
+                features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
                 report.add(oriented)
             feedback.pushInfo(summary(statuses))

@@ -13,19 +13,27 @@ _QT_NAMES = {
     "real": ("Double", "Double"),
     "whole": ("Int", "Int"),
     "yes": ("Bool", "Bool"),
+    "time": ("QDateTime", "DateTime"),
+    "bytes": ("QByteArray", "ByteArray"),
 }
 
 
 def qgis_field(spec):
-    """Make the `QgsField`, by the type system of the running QGIS (QMetaType from 3.38 on)."""
-    names = {**_QT_NAMES, "time": ("QDateTime", "DateTime")}[spec.kind]
-    if Qgis.QGIS_VERSION_INT >= 33800:
-        kind = getattr(QMetaType.Type, names[0])
-    else:
-        kind = getattr(QVariant, names[1])
-    field = QgsField(spec.name, kind)
+    """Make the `QgsField`."""
+    field = QgsField(spec.name, _type(spec.kind))
     field.setAlias(spec.alias)
     return field
+
+
+def _type(kind):
+    """Type of a field in the type system of the running QGIS (QMetaType from 3.38 on)."""
+    names = _QT_NAMES[kind]
+    return getattr(QMetaType.Type, names[0]) if Qgis.QGIS_VERSION_INT >= 33800 else getattr(QVariant, names[1])
+
+
+def is_binary(field):
+    """Return whether a `QgsField` holds bytes, such as a picture."""
+    return field.type() == _type("bytes")
 
 
 def qgis_fields(specs):

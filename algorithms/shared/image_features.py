@@ -7,7 +7,7 @@ from qgis.core import QgsGeometry, QgsPointXY, QgsProcessingException
 
 from .fields import FieldSpec, is_null
 from .i18n import tr
-from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+from .map_places import kind_of, local_of_map, number, of_one_kind, places_of, to_dem_transform, transformed
 
 AREA_SAMPLE_PX = 6.0
 """Spacing of the grid on which an area's visible share is sampled, at its nearest point [pixels]."""
@@ -71,7 +71,8 @@ class ImageFeatures:
             geometry = transformed(feature.geometry(), transform)
             if geometry is not None:
                 called = feature[name_field] if name_field else None
-                self._features.append((feature.id(), "" if is_null(called) else str(called), geometry))
+                name = "" if is_null(called) else str(called)
+                self._features += [(feature.id(), name, shape) for shape in of_one_kind(geometry)]
         if not self._features:
             raise QgsProcessingException(
                 tr("The map features are empty, or lie outside the region for which the DEM's CRS is valid.")

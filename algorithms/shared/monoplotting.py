@@ -9,7 +9,7 @@ from ...core.base.progress import subtask
 from .feedback import warn
 from .fields import FieldSpec
 from .i18n import tr
-from .map_places import map_of_local, number
+from .map_places import kind_of, map_of_local, number, simple_parts
 
 ELLIPSE_CORNERS = 48
 JUMP_RATIO = 1.35
@@ -236,17 +236,29 @@ def _lines(pieces):
 
 
 def _polygon(pieces):
-    """Make one multipolygon of the outer ring and the holes; the first ring is the outer one."""
-    rings = [ring for part in pieces for ring in part]
-    if not rings:
+    """Make one multipolygon of the outer ring and the holes; the first piece is the outer one.
+
+    Holes remain none if their outer ring lies in the sky. Where the ground jumps, a ring may cross itself on the map.
+    """
+    if not pieces[0]:
         return None, 0
     polygon = QgsPolygon()
-    polygon.setExteriorRing(_line(rings[0]))
-    for ring in rings[1:]:
+    polygon.setExteriorRing(_line(pieces[0][0]))
+    for ring in (ring for part in pieces[1:] for ring in part):
         polygon.addInteriorRing(_line(ring))
     whole = QgsMultiPolygon()
     whole.addGeometry(polygon)
-    return QgsGeometry(whole), 1
+    area = QgsGeometry(whole)
+    return (area if area.isGeosValid() else _valid(area)), 1
+
+
+def _valid(area):
+    """Multipolygon of the parts of an area whose rings cross."""
+    whole = QgsMultiPolygon()
+    for part in simple_parts(area.makeValid()):
+        if kind_of(part) == "polygon":
+            whole.addGeometry(part.constGet().clone())
+    return QgsGeometry(whole) if whole.numGeometries() else None
 
 
 def _line(places):

@@ -175,16 +175,27 @@ def without_photo():
     return OrientedPhoto("", Orientation("failed", Message("The point names no photo. Fill its path field.")))
 
 
-def oriented_row(row, kept, oriented, max_distance_m):
-    """Geometry and attributes of an output feature: those of the source, then ours."""
+def oriented_row(row, kept, oriented, max_distance_m, place=None):
+    """Geometry and attributes of an output feature: those of the source, then ours.
+
+    Parameters
+    ----------
+    row : PointRow
+    kept : list of int
+        See `oriented_fields`.
+    oriented : OrientedPhoto
+    max_distance_m : float
+        Range that the run used [m].
+    place : QgsGeometry or None
+        As `Placing` gives it.
+    """
     attributes = row.feature.attributes()
-    geometry = row.feature.geometry() if row.feature.hasGeometry() else None
     ours = oriented_values(oriented, max_distance_m)
     for index, spec in enumerate(oriented_specs()):
         before = row.feature.fields().lookupField(spec.name)
         if spec.name in LENS_FIELDS and ours[index] is None and before >= 0:
             ours[index] = number_or_none(attributes[before])  # a photo that failed keeps the known data of its lens
-    return geometry, [attributes[index] for index in kept] + ours
+    return place, [attributes[index] for index in kept] + ours
 
 
 def oriented_fields(source):

@@ -14,7 +14,7 @@ from ...core.base.pixel_features import PixelFeature, downward, open_ring
 from . import parameters as shared
 from .fields import is_null, number_or_none
 from .i18n import tr
-from .map_places import kind_of, places_of
+from .map_places import kind_of, of_one_kind, places_of, simple_parts
 
 PHOTO_NAMES = ("photo", "image", "filename", "file_name", "file", "path")
 X_NAMES = ("x_px", "x", "column", "col", "pixel_x")
@@ -94,8 +94,12 @@ def _of_source(source):
 
 
 def _of_geometry(photo, label, geometry):
-    kind = kind_of(geometry)
-    parts = downward([np.column_stack([x, y]) for x, y, _ in places_of(geometry, kind)])
-    if kind == "polygon":
-        return [PixelFeature(photo, kind, tuple(open_ring(part) for part in parts), label)]
-    return [PixelFeature(photo, kind, (part,), label) for part in parts]
+    """Features of a drawn geometry; each polygon of a multipolygon has its own holes."""
+    drawn = []
+    for shape in of_one_kind(geometry):
+        kind = kind_of(shape)
+        for piece in [shape] if kind == "point" else simple_parts(shape):
+            rings = [np.column_stack([x, y]) for x, y, _ in places_of(piece, kind)]
+            drawn.append((kind, [open_ring(ring) for ring in rings] if kind == "polygon" else rings))
+    turned = iter(downward([ring for _, rings in drawn for ring in rings]))
+    return [PixelFeature(photo, kind, tuple(next(turned) for _ in rings), label) for kind, rings in drawn]
