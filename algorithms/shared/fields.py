@@ -6,6 +6,7 @@ from qgis.core import Qgis, QgsField, QgsFields
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
 from ...core.base.attributes import FieldSpec, photo_fields
+from ...core.base.heights import height_m
 from .i18n import marked, tr
 
 _QT_NAMES = {
@@ -79,6 +80,14 @@ def number_or_none(value):
     except (TypeError, ValueError):
         return None
     return number if number - number == 0 else None
+
+
+def metres_of(value):
+    """Height in metres of a number, or of text as OpenStreetMap has it ("2290 m", "7513 ft"); None if there is none."""
+    if is_null(value):
+        return None
+    number = number_or_none(value)
+    return height_m(str(value)) if number is None else number
 
 
 def photo_specs():

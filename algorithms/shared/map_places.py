@@ -82,7 +82,7 @@ def straight(geometry):
 
 
 def simple_parts(geometry):
-    """Yield the points, lines and polygons (with their holes) of any geometry, also of a collection of several kinds."""
+    """Yield the points, lines and polygons (with their holes) of any geometry, also of a mixed collection."""
     shape = geometry.constGet()
     if isinstance(shape, QgsGeometryCollection):
         for k in range(shape.numGeometries()):

@@ -10,6 +10,7 @@ from .feedback import warn
 from .fields import FieldSpec
 from .i18n import tr
 from .map_places import kind_of, map_of_local, number, simple_parts
+from .pixel_input import upright_features
 
 ELLIPSE_CORNERS = 48
 JUMP_RATIO = 1.35
@@ -79,7 +80,7 @@ class MapFeatures:
     Parameters
     ----------
     terrain : core.io.raster.Dem
-    drawn : list of PixelFeature
+    drawn : FeaturesByPhoto
     options : SightOptions
     coverage : float
         Probability that an ellipse contains the true place.
@@ -91,7 +92,7 @@ class MapFeatures:
         self.terrain, self.drawn, self.options = terrain, drawn, options
         self.coverage, self.step_px = coverage, step_px
         self.points, self.lines, self.polygons, self.ellipses = [], [], [], []
-        self.sky_count, self._used = 0, set()
+        self.sky_count = 0
 
     @property
     def count(self):
@@ -100,26 +101,17 @@ class MapFeatures:
 
     def add(self, photo, feedback):
         """Place the features drawn on one photo."""
-        from ...core.base.pixel_features import for_photo
-
-        mine = for_photo(self.drawn, photo.path or photo.name)
+        mine = self.drawn.of(photo.path or photo.name)
         if mine and not photo.sized:
             warn(feedback, photo.name, tr("The picture's size is unknown, so its pixels cannot be placed."))
             return
+        mine = upright_features(photo, mine, feedback)
         for index, feature in enumerate(mine):
-            self._used.add(feature)
             part = subtask(photo.progress, index / len(mine), (index + 1) / len(mine))
             if feature.kind == "point":
                 self._add_points(photo, feature, part)
             else:
                 self._add_drawn(photo, feature, part)
-
-    def tell_unused(self, feedback):
-        """Warn of features whose photo is not among the points."""
-        lost = sorted({f.photo for f in self.drawn if f not in self._used})
-        if lost:
-            names = ", ".join(lost[:5]) + (" ..." if len(lost) > 5 else "")
-            feedback.pushWarning(tr("No oriented photo point for: {names}").format(names=names))
 
     def _place(self, photo, xy, progress):
         from ...core.mapping.monoplot import EllipseOptions, ground_ellipses, place_pixels

@@ -100,7 +100,7 @@ def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
 
 def requests_of(algorithm, parameters, context, rows):
     """One `PhotoRequest` per row; None if the row names no photo."""
-    rescue = Rescue(algorithm, parameters, context)
+    rescue = Rescue(algorithm, parameters, context, [row.path for row in rows if row.path])
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
     use_altitude = algorithm.parameterAsBoolean(parameters, "USE_ALTITUDE", context)
     return [None if row.path is None else request_of(row, rescue, eye_height_m, use_altitude) for row in rows]

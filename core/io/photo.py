@@ -62,6 +62,16 @@ def read_metadata(path):
     return _metadata(path, kind, stored_size(path, kind))
 
 
+def stored_orientation(path):
+    """Give the EXIF Orientation that the stored pixels still need, 1 to 8; 1 for HEIC, whose decoder applies it.
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
+    return 1 if format_of(path) == "heif" else read_metadata(path).orientation
+
+
 def _metadata(path, kind, size):
     fields = interpret(read_tags(path, kind), *size)
     if kind != "heif" and fields["orientation"] >= 5:
