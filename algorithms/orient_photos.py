@@ -14,6 +14,7 @@ from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
     add_field_parameters,
+    add_lens_parameter,
     add_terrain_parameters,
     options_of,
     orient_each,
@@ -83,6 +84,7 @@ class OrientPhotos(DemAlgorithm):
         add_terrain_parameters(self)
         add_rescue_parameters(self)
         add_altitude_parameter(self)
+        add_lens_parameter(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
         self.addParameter(orientations_out())

@@ -16,6 +16,7 @@ from .shared.kept_orientations import orientations_out
 from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
+    add_lens_parameter,
     options_of,
     orient_each,
     oriented_out,
@@ -117,6 +118,7 @@ class PhotoViewshed(DemAlgorithm):
         add_field_parameters(self)
         add_rescue_parameters(self)
         add_altitude_parameter(self)
+        add_lens_parameter(self)
         self._add_outputs()
 
     def _add_outputs(self):

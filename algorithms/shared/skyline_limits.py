@@ -120,7 +120,8 @@ def with_line(point, columns, rows, confidence, tolerance_deg):
     row_px = skyline_rows(columns, rows, confidence, width_px)
     posed = point.posed
     if posed is not None and posed.camera.width_px != width_px:  # its size was unknown
-        posed = replace(posed, camera=pinhole(point.hfov_deg, point.vfov_deg, (width_px, None)))
+        camera = pinhole(point.hfov_deg, point.vfov_deg, (width_px, None))
+        posed = replace(posed, camera=replace(camera, k1=posed.camera.k1, k2=posed.camera.k2))
     return replace(point, posed=posed, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
 
 

@@ -47,16 +47,17 @@ def read_summits(path):
         options = [f"CONFIG_FILE={configuration}"]
         try:
             dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR, allowed_drivers=["OSM"], open_options=options)
-            summits = [] if dataset is None else _summits_of(dataset)
+            summits = None if dataset is None else _summits_of(dataset)
             del dataset
         except RuntimeError as error:
             messages.append(str(error))
-    if messages:
+            summits = None
+    if messages or summits is None:
         raise SkylineViewshedError(
             Message(
                 "The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.",
                 path=path,
-                reason=messages[0],
+                reason=messages[0] if messages else Message("it has another format"),
             )
         )
     return summits
