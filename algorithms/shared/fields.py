@@ -6,7 +6,7 @@ from qgis.core import Qgis, QgsField, QgsFields
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
 from ...core.base.attributes import FieldSpec, photo_fields
-from ...core.base.heights import height_m
+from ...core.base.summit_heights import height_m
 from .i18n import marked, tr
 
 _QT_NAMES = {

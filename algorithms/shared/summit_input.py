@@ -16,7 +16,7 @@ from qgis.core import (
     QgsProcessingParameterField,
 )
 
-from ...core.base.heights import contradicts
+from ...core.base.summit_heights import contradicts
 from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, metres_of

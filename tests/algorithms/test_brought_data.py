@@ -69,7 +69,7 @@ def oriented(scene, *names, path=None, **more):
     (QgsWkbTypes.Type.Point, "EPSG:4326", "Point (8 46.5)"),
     (QgsWkbTypes.Type.PointZ, "EPSG:4326", "PointZ (8 46.5 1200)"),
     (QgsWkbTypes.Type.MultiPoint, "EPSG:4326", "MultiPoint ((8 46.5))"),
-    (QgsWkbTypes.Type.Point, "EPSG:3857", "Point (890556 5860310)"),
+    (QgsWkbTypes.Type.Point, "EPSG:3857", "Point (890556 5860840)"),
 ])  # fmt: skip
 def test_a_point_without_a_place_gets_that_of_its_photo(qgis_app, wkb, crs, shown):
     from qgis.core import QgsCoordinateReferenceSystem
@@ -198,10 +198,16 @@ def test_a_mixed_collection_is_split_by_kind(qgis_app):
     assert of_one_kind(line) == [line]
 
 
-def test_a_mixed_collection_is_found_in_pictures_and_ranked(run, scene):
+def test_a_mixed_collection_is_found_in_pictures_and_ranked(run, scene, tmp_path):
     x, y = scene.positions["north"]
-    wkt = f"GeometryCollection(Point({x} {y + 0.03}), LineString({x} {y + 0.03}, {x + 0.01} {y + 0.04}))"
-    places = layer_of("GeometryCollection", [("name", TEXT)], [(wkt, ["both"])])
+    parts = [
+        {"type": "Point", "coordinates": [x, y + 0.03]},
+        {"type": "LineString", "coordinates": [[x, y + 0.03], [x + 0.01, y + 0.04]]},
+    ]
+    geometry = {"type": "GeometryCollection", "geometries": parts}
+    path = tmp_path / "mixed.geojson"
+    path.write_text(json.dumps({"type": "Feature", "geometry": geometry, "properties": {"name": "both"}}))
+    places = QgsVectorLayer(str(path), "mixed", "ogr")
     base = {"INPUT": oriented(scene, "north"), "DEM": str(scene.dem), "MAX_DISTANCE": REACH_M}
     results, _ = run("maptopixel", {**base, "FEATURES": places, "OUTPUT": "memory:", "LINES": "memory:"})
     assert results["OUTPUT"].featureCount() == 1 and results["LINES"].featureCount() >= 1

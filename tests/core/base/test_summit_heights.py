@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from skyline_viewshed.core.base.heights import contradicts, height_m
+from skyline_viewshed.core.base.summit_heights import contradicts, height_m
 
 
 @pytest.mark.parametrize(
