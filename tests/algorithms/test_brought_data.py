@@ -198,23 +198,6 @@ def test_a_mixed_collection_is_split_by_kind(qgis_app):
     assert of_one_kind(line) == [line]
 
 
-def test_a_mixed_collection_is_found_in_pictures_and_ranked(run, scene, tmp_path):
-    x, y = scene.positions["north"]
-    parts = [
-        {"type": "Point", "coordinates": [x, y + 0.03]},
-        {"type": "LineString", "coordinates": [[x, y + 0.03], [x + 0.01, y + 0.04]]},
-    ]
-    geometry = {"type": "GeometryCollection", "geometries": parts}
-    path = tmp_path / "mixed.geojson"
-    path.write_text(json.dumps({"type": "Feature", "geometry": geometry, "properties": {"name": "both"}}))
-    places = QgsVectorLayer(str(path), "mixed", "ogr")
-    base = {"INPUT": oriented(scene, "north"), "DEM": str(scene.dem), "MAX_DISTANCE": REACH_M}
-    results, _ = run("maptopixel", {**base, "FEATURES": places, "OUTPUT": "memory:", "LINES": "memory:"})
-    assert results["OUTPUT"].featureCount() == 1 and results["LINES"].featureCount() >= 1
-    results, _ = run("whichphotos", {**base, "PLACES": places, "OUTPUT": "memory:"})
-    assert results["COUNT"] + results["UNSEEN"] == 1
-
-
 # Names that repeat
 
 
