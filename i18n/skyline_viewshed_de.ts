@@ -897,8 +897,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Punkte in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen. Das Feld state gibt an, ob das Foto sie zeigt.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Punkte in Pixeln des Fotos, wie QGIS es zeigt (nicht gedreht), mit negativem y für Zeilen; x_px und y_px zählen im aufrechten Bild. Das Feld state sagt, ob das Foto sie zeigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -907,8 +907,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Linien und Umrisse in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen, getrennt, wo sich ihre Sichtbarkeit ändert.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Linien und Umrisse in Pixeln des Fotos, wie QGIS es zeigt (nicht gedreht), mit negativem y für Zeilen, geteilt, wo sich ihre Sichtbarkeit ändert.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1531,6 +1531,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Felder wurden umbenannt, weil das Ausgabeformat den Namen für sich behält: {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1659,6 +1664,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>Das Feld {field} enthält Bilder, keine Pfade. Speichern Sie die Bilder als Dateien und wählen Sie ein Feld mit ihren Pfaden (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1887,19 +1897,24 @@
         <translation>Die Bildgröße ist unbekannt, darum haben seine Pixel keinen Ort.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Kein orientierter Fotopunkt für: {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Bildwinkel des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Bildwinkel des aufrechten Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet. Felder namens k1 und k2 geben die Verzeichnung des Objektivs an (Brown, wie in OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Horizontaler Bildwinkel aller Fotos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Für Fotos eines Objektivs ohne Brennweite in den Dateien, durch die Mitte des aufrechten Bildes. Ein Wert im Feld hat Vorrang.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1936,6 +1951,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} Fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} kann die Felder der Fotopunkte nicht aufnehmen: {reason} Schreiben Sie ein GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2084,6 +2104,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>ohne Endung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Dateien, die nicht als Fotos gelesen wurden: {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>In {folder} wurde kein Foto (JPEG, HEIC) gefunden. Wählen Sie einen anderen Ordner oder beziehen Sie seine Unterordner ein.</translation>
     </message>
@@ -2093,14 +2123,19 @@
         <translation>Der Punkt nennt kein Foto; es gibt kein Bild zum Einzeichnen.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Keine installierte Schrift hat alle Zeichen von {names}, daher zeigt das PNG Kästchen; das SVG ist richtig. Installieren Sie eine Schrift für diese Schreibung, zum Beispiel eine Noto Sans, und starten Sie erneut.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Bildobjekte</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Punkte, Linien oder Polygone, deren Koordinaten Pixel des aufrecht stehenden Bildes sind (wie in QGIS über dem Foto selbst gezeichnet, wo y negativ ist, oder y nach unten gezählt), oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne dieses gehören die Objekte zu jedem Foto.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Punkte, Linien oder Polygone, wie in QGIS über dem Foto selbst gezeichnet (nicht gedreht, y negativ), oder in Pixeln des aufrechten Bildes mit y nach unten gezählt, oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne es gehören die Objekte zu jedem Foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2131,6 +2166,21 @@
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
         <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Mehrere Fotos haben diese Namen, daher wurden die Objekte ausgelassen: {names}. Geben Sie auch die Ordner an, zum Beispiel day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Kein orientierter Fotopunkt für: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Die Objekte wurden auf einer Datei von {bytes} Byte gezeichnet, einer anderen Kopie dieses Fotos. Ist diese Kopie verkleinert, liegen sie am falschen Ort.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/reporting.py"/>
@@ -2191,6 +2241,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Bilder mit den Namen der Fotos (IMG_1.png für IMG_1.heic), in denen der Himmel weiß ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter}: Mehrere Fotos haben den Namen {names}. Geben Sie auch die Ordner an, zum Beispiel day1/IMG_0001.jpg; legen Sie Himmelsmasken in Ordner mit denselben Namen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2305,8 +2360,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Punkte mit Namen und Höhen. Leer: Gipfel werden im DGM nach ihrer Schartenhöhe gesucht.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Punkte mit Namen und Höhen, oder ein OpenStreetMap-Auszug auf Ihrem Datenträger (.osm, .osm.pbf), aus dem die Gipfel gelesen werden. Leer: Gipfel werden im DGM nach ihrer Prominenz gesucht.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2320,8 +2375,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Auch Text wie 4478 wird gelesen.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>Auch Text wie 4478, 4478 m oder 14692 ft wird gelesen. Höhen, denen das DGM widerspricht, werden nicht verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2342,6 +2397,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: die veröffentlichte Position verwenden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>Die veröffentlichte Höhe von {height} m widerspricht dem DGM (dort {top} m), daher wird die Höhe des DGM verwendet. Ist sie in Fuß, schreiben Sie 'ft' dahinter.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3201,6 +3261,26 @@
         <translation>Führen Sie aus: {command}</translation>
     </message>
     <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Die Objekte wurden auf dem Bild gezeichnet, wie es gespeichert ist; sie wurden mit ihm gedreht.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Die Objekte wurden auf einer Kopie von {width} x {height} Pixeln gezeichnet; sie wurden auf das Foto umgerechnet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Die Objekte wurden auf einem Bild von {width} x {height} Pixeln gezeichnet, das keine verkleinerte Kopie dieses Fotos von {photo_width} x {photo_height} Pixeln ist. Zeichnen Sie sie auf dem Foto selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Ein Objektiv mit k1 = {k1} und k2 = {k2} würde das Bild vor seiner Ecke falten. Berichtigen Sie k1 und k2: Es sind die von OpenCV, für Radien in Brennweiten.</translation>
+    </message>
+    <message>
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>Das Foto hat keine GPS-Position. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
@@ -3244,6 +3324,17 @@
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>beschriftetes Foto</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Text in Bildern braucht eine TrueType-Schrift, aber weder DejaVu Sans noch Arial, Liberation Sans oder Helvetica ist installiert. Installieren Sie eine davon, zum Beispiel mit dem Paket fonts-dejavu-core, oder installieren Sie ein neueres Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Das Zeichnen und Schreiben von Bildern</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3360,16 +3451,6 @@
         <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
         <translation>Der Horizont ist beim Azimut {azimuth} am höchsten: Sein Höhenwinkel beträgt dort {angle} Grad, seine Entfernung {distance}. Der Median der Höhenwinkel beträgt {median} Grad. In {share} % der Richtungen endet das DGM, bevor höheres Gelände ausgeschlossen ist.</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Das Zeichnen und Schreiben von Bildern</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>Text in Bildern braucht eine TrueType-Schrift, aber weder DejaVu Sans noch Arial, Liberation Sans oder Helvetica ist installiert. Installieren Sie eine davon, zum Beispiel mit dem Paket fonts-dejavu-core, oder installieren Sie ein neueres Pillow.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3489,6 +3570,11 @@
         <translation>Zeile {number} ist unvollständig ({reason}). Berichtigen Sie diese Zeile.</translation>
     </message>
     <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Der Inhalt des Ordners {folder} ist nicht zu lesen: {reason}. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
         <location filename="../core/io/formats.py"/>
         <source>the file is empty. Copy it again from its source.</source>
         <translation>Die Datei ist leer. Kopieren Sie sie neu von der Quelle.</translation>
@@ -3554,6 +3640,11 @@
         <translation>Das DGM {path} ist gegen sein KBS gedreht. Transformieren Sie es zuerst auf ein nach Norden ausgerichtetes Gitter (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Formen ohne lesbaren Umriss wurden ausgelassen: {kinds}.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
@@ -3584,9 +3675,14 @@
         <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>Der Inhalt des Ordners {folder} ist nicht zu lesen: {reason}. Prüfen Sie den Pfad.</translation>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>Der OpenStreetMap-Auszug {path} kann nicht gelesen werden: {reason}. Laden Sie ihn erneut herunter.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>er hat ein anderes Format</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>

@@ -897,8 +897,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Puntos en píxeles de la imagen enderezada, con y negativa para las filas. El campo state indica si la foto los muestra.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Puntos en píxeles de la foto tal como la muestra QGIS (sin girar), con y negativa para las filas; x_px e y_px cuentan en la imagen derecha. El campo state dice si la foto los muestra.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -907,8 +907,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Líneas y contornos en píxeles de la imagen enderezada, con y negativa para las filas, cortados donde cambia su visibilidad.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Líneas y contornos en píxeles de la foto tal como la muestra QGIS (sin girar), con y negativa para las filas, cortados donde cambia su visibilidad.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1531,6 +1531,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Campos renombrados porque el formato de salida reserva el nombre: {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1659,6 +1664,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>El campo {field} contiene imágenes, no rutas. Guarde las imágenes como archivos y elija un campo con sus rutas (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1887,19 +1897,24 @@
         <translation>Se desconoce el tamaño de la imagen, por lo que sus píxeles no pueden situarse.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>No hay punto de foto orientada para: {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Ángulo de visión de la imagen enderezada, a través de su centro. NULL: se calcula según la distancia focal del archivo.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Campo de visión de la imagen derecha, por su centro. NULL: se calcula con la distancia focal del archivo. Los campos k1 y k2 dan la distorsión del objetivo (Brown, como en OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Campo de visión horizontal de todas las fotos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Para fotos de un mismo objetivo sin distancia focal en sus archivos, por el centro de la imagen derecha. Un valor en el campo tiene prioridad.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1936,6 +1951,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} no puede contener los campos de los puntos de foto: {reason} Escriba un GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2084,6 +2104,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>sin extensión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Archivos que no se leyeron como fotos: {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>No se encontró ninguna fotografía (JPEG, HEIC) en {folder}. Elija otra carpeta o incluya sus subcarpetas.</translation>
     </message>
@@ -2093,14 +2123,19 @@
         <translation>El punto no nombra ninguna foto, así que no hay imagen sobre la que dibujar.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Ninguna fuente instalada tiene todos los caracteres de {names}, por lo que el PNG muestra recuadros; el SVG es correcto. Instale una fuente para esta escritura, por ejemplo una Noto Sans, y ejecute de nuevo.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Objetos de la imagen</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen enderezada (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Puntos, líneas o polígonos dibujados en QGIS sobre la propia foto (sin girar, y negativa), o en píxeles de la imagen derecha con y contada hacia abajo, o una tabla con los campos x e y. Un campo photo nombra la foto; sin él los objetos pertenecen a todas las fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2131,6 +2166,21 @@
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
         <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Varias fotos tienen estos nombres, por lo que los objetos se omitieron: {names}. Escriba también las carpetas, por ejemplo day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>No hay punto de foto orientada para: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Sus objetos se dibujaron sobre un archivo de {bytes} bytes, que es otra copia de esta foto. Si esa copia está reducida, están en un lugar equivocado.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/reporting.py"/>
@@ -2191,6 +2241,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Imágenes con el nombre de las fotografías (IMG_1.png para IMG_1.heic) en las que el cielo es blanco.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter}: varias fotos tienen el nombre {names}. Escriba también las carpetas, por ejemplo day1/IMG_0001.jpg; ponga las máscaras de cielo en carpetas con los mismos nombres.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2305,8 +2360,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Puntos con nombres y altitudes. Vacío: las cimas se buscan en el MDE por su prominencia.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Puntos con nombres y alturas, o un extracto de OpenStreetMap en su disco (.osm, .osm.pbf), del que se leen las cumbres. Vacío: las cumbres se buscan en el MDE por su prominencia.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2320,8 +2375,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>También se lee texto como 4478.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>También se lee texto como 4478, 4478 m o 14692 ft. Las alturas que el MDE contradice no se usan.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2342,6 +2397,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: usar la posición publicada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>La altura publicada de {height} m contradice el MDE ({top} m allí), por lo que se usa la altura del MDE. Si está en pies, escriba 'ft' detrás.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3201,6 +3261,26 @@
         <translation>Ejecute: {command}</translation>
     </message>
     <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Sus objetos se dibujaron sobre la imagen tal como está guardada; se giraron con ella.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Sus objetos se dibujaron sobre una copia de {width} x {height} píxeles; se escalaron a la foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Sus objetos se dibujaron sobre una imagen de {width} x {height} píxeles, que no es una copia reducida de esta foto de {photo_width} x {photo_height} píxeles. Dibújelos sobre la propia foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Un objetivo con k1 = {k1} y k2 = {k2} plegaría la imagen antes de su esquina. Corrija k1 y k2: son los de OpenCV, para radios en distancias focales.</translation>
+    </message>
+    <message>
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La foto no tiene posición GPS. Indíquela con un punto en una capa de puntos de fotos.</translation>
@@ -3244,6 +3324,17 @@
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>fotografía rotulada</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>El texto en las imágenes necesita un tipo de letra TrueType, pero no está instalado ninguno de estos: DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno de ellos, por ejemplo con el paquete fonts-dejavu-core, o instale una versión más reciente de Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Dibujar y escribir imágenes</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3360,16 +3451,6 @@
         <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
         <translation>El horizonte alcanza su máximo en el acimut {azimuth}: allí su ángulo de elevación es de {angle} grados y su distancia, de {distance}. La mediana del ángulo de elevación es de {median} grados. En el {share} % de las direcciones el MDE termina antes de que se pueda descartar terreno más alto.</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Dibujar y escribir imágenes</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>El texto en las imágenes necesita un tipo de letra TrueType, pero no está instalado ninguno de estos: DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno de ellos, por ejemplo con el paquete fonts-dejavu-core, o instale una versión más reciente de Pillow.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3489,6 +3570,11 @@
         <translation>la línea {number} está incompleta ({reason}). Corrija esa línea.</translation>
     </message>
     <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>No se puede listar la carpeta {folder}: {reason}. Compruebe la ruta.</translation>
+    </message>
+    <message>
         <location filename="../core/io/formats.py"/>
         <source>the file is empty. Copy it again from its source.</source>
         <translation>el archivo está vacío. Cópielo de nuevo desde su origen.</translation>
@@ -3554,6 +3640,11 @@
         <translation>El MDE {path} está girado respecto de su SRC. Transfórmelo antes a una malla orientada al norte (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Se omitieron las formas sin un contorno legible: {kinds}.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
@@ -3584,9 +3675,14 @@
         <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>No se puede listar la carpeta {folder}: {reason}. Compruebe la ruta.</translation>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>No se puede leer el extracto de OpenStreetMap {path}: {reason}. Descárguelo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>tiene otro formato</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>

@@ -897,8 +897,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Points en pixels de l'image redressée, avec y négatif pour les lignes de pixels. Le champ state indique si la photo les montre.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Points en pixels de la photo telle que QGIS la montre (non tournée), avec y négatif pour les lignes ; x_px et y_px comptent sur l'image redressée. Le champ state dit si la photo les montre.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -907,8 +907,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Lignes et contours en pixels de l'image redressée, avec y négatif pour les lignes de pixels, coupés là où leur visibilité change.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Lignes et contours en pixels de la photo telle que QGIS la montre (non tournée), avec y négatif pour les lignes, coupés là où leur visibilité change.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1531,6 +1531,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Champs renommés, car le format de sortie se réserve leur nom : {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1659,6 +1664,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>Le champ {field} contient des images, pas des chemins. Enregistrez les images comme fichiers et choisissez un champ avec leurs chemins (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1887,19 +1897,24 @@
         <translation>La taille de l'image est inconnue : ses pixels ne peuvent pas être situés.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Pas de point de photo orientée pour : {names}</translation>
-    </message>
-    <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Angle de champ de l'image redressée, en travers de son milieu. NULL : calculé d'après la focale du fichier.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Champ de vision de l'image redressée, en son milieu. NULL : calculé d'après la focale du fichier. Des champs nommés k1 et k2 donnent la distorsion de l'objectif (Brown, comme dans OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Champ de vision horizontal de toutes les photos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Pour des photos d'un même objectif sans focale dans leurs fichiers, au milieu de l'image redressée. Une valeur dans le champ a priorité.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1936,6 +1951,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} photos : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} ne peut pas contenir les champs des points photo : {reason} Écrivez un GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2084,6 +2104,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>sans extension</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Fichiers qui n'ont pas été lus comme photos : {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>Aucune photo (JPEG, HEIC) n'a été trouvée dans {folder}. Choisissez un autre dossier, ou incluez ses sous-dossiers.</translation>
     </message>
@@ -2093,14 +2123,19 @@
         <translation>Le point ne désigne aucune photo : il n'y a pas d'image sur laquelle dessiner.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Aucune police installée n'a tous les caractères de {names} ; le PNG montre donc des carrés, le SVG est correct. Installez une police pour cette écriture, par exemple une Noto Sans, puis relancez.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Entités de l'image</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Points, lignes ou polygones dont les coordonnées sont des pixels de l'image redressée (dessinés dans QGIS sur la photo même, où y est négatif, ou y compté vers le bas), ou une table avec les champs x et y. Un champ photo désigne la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Points, lignes ou polygones dessinés dans QGIS sur la photo elle-même (non tournée, y négatif), ou en pixels de l'image redressée avec y compté vers le bas, ou une table avec les champs x et y. Un champ photo nomme la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2131,6 +2166,21 @@
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>The image features have neither a geometry in pixels nor fields x and y; they have {fields}.</source>
         <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Plusieurs photos portent ces noms ; les entités ont donc été omises : {names}. Indiquez aussi les dossiers, par exemple day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Pas de point de photo orientée pour : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Les entités ont été dessinées sur un fichier de {bytes} octets, une autre copie de cette photo. Si cette copie est réduite, elles sont au mauvais endroit.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/reporting.py"/>
@@ -2191,6 +2241,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>Pictures named like the photographs (IMG_1.png for IMG_1.heic) in which the sky is white.</source>
         <translation>Images nommées comme les photos (IMG_1.png pour IMG_1.heic) dans lesquelles le ciel est blanc.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter} : plusieurs photos portent le nom {names}. Indiquez aussi les dossiers, par exemple day1/IMG_0001.jpg ; placez les masques de ciel dans des dossiers de mêmes noms.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2305,8 +2360,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Points avec noms et altitudes. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Points avec noms et altitudes, ou un extrait d'OpenStreetMap sur votre disque (.osm, .osm.pbf), dont les sommets sont lus. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2320,8 +2375,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Un texte comme 4478 est lu aussi.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>Un texte comme 4478, 4478 m ou 14692 ft est lu aussi. Les altitudes que le MNT contredit ne sont pas utilisées.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2342,6 +2397,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0 : utiliser la position publiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>L'altitude publiée de {height} m contredit le MNT ({top} m à cet endroit) ; l'altitude du MNT est donc utilisée. Si elle est en pieds, écrivez 'ft' après.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3201,6 +3261,26 @@
         <translation>Exécutez : {command}</translation>
     </message>
     <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Les entités ont été dessinées sur l'image telle qu'elle est enregistrée ; elles ont été tournées avec elle.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Les entités ont été dessinées sur une copie de {width} x {height} pixels ; elles ont été mises à l'échelle de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Les entités ont été dessinées sur une image de {width} x {height} pixels, qui n'est pas une copie réduite de cette photo de {photo_width} x {photo_height} pixels. Dessinez-les sur la photo elle-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Un objectif avec k1 = {k1} et k2 = {k2} replierait l'image avant son coin. Corrigez k1 et k2 : ce sont ceux d'OpenCV, pour des rayons en focales.</translation>
+    </message>
+    <message>
         <location filename="../core/batch.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La photo n'a pas de position GPS. Indiquez-la par un point dans une couche de points de photos.</translation>
@@ -3244,6 +3324,17 @@
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>photo annotée</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Le texte dans les images exige une police TrueType, mais ni DejaVu Sans, ni Arial, ni Liberation Sans, ni Helvetica n'est installée. Installez l'une d'elles, par exemple avec le paquet fonts-dejavu-core, ou installez un Pillow plus récent.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Le dessin et l'écriture d'images</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3360,16 +3451,6 @@
         <location filename="../core/figures/profile.py"/>
         <source>The horizon is highest at azimuth {azimuth}: its elevation angle there is {angle} degrees and its distance {distance}. The median elevation angle is {median} degrees. In {share} % of the directions the DEM ends before higher terrain can be ruled out.</source>
         <translation>L'horizon culmine à l'azimut {azimuth} : son angle d'élévation y est de {angle} degrés et sa distance de {distance}. L'angle d'élévation médian est de {median} degrés. Dans {share} % des directions, le MNT s'arrête avant qu'un terrain plus haut puisse être exclu.</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Le dessin et l'écriture d'images</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>Le texte dans les images exige une police TrueType, mais ni DejaVu Sans, ni Arial, ni Liberation Sans, ni Helvetica n'est installée. Installez l'une d'elles, par exemple avec le paquet fonts-dejavu-core, ou installez un Pillow plus récent.</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -3489,6 +3570,11 @@
         <translation>la ligne {number} est incomplète ({reason}). Corrigez cette ligne.</translation>
     </message>
     <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu : {reason}. Vérifiez le chemin.</translation>
+    </message>
+    <message>
         <location filename="../core/io/formats.py"/>
         <source>the file is empty. Copy it again from its source.</source>
         <translation>le fichier est vide. Copiez-le à nouveau depuis sa source.</translation>
@@ -3554,6 +3640,11 @@
         <translation>Le MNT {path} est tourné par rapport à son SCR. Projetez-le d'abord sur une grille orientée au nord (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Les formes sans contour lisible ont été omises : {kinds}.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
@@ -3584,9 +3675,14 @@
         <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>Le contenu du dossier {folder} ne peut pas être lu : {reason}. Vérifiez le chemin.</translation>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>L'extrait d'OpenStreetMap {path} ne peut pas être lu : {reason}. Téléchargez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>il a un autre format</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>

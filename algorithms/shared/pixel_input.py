@@ -33,8 +33,8 @@ def add_pixel_parameters(algorithm):
         "PIXELS", tr("Image features"), [QgsProcessing.SourceType.TypeVector], optional=True
     )
     text = tr(
-        "Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the "
-        "photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo "
+        "Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of "
+        "the upright picture with y counted downwards, or a table with fields x and y. A field photo "
         "names the photograph; without it the features belong to every photo."
     )
     algorithm.addParameter(shared.explained(layer, text))
