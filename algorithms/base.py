@@ -94,6 +94,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
 
     def processAlgorithm(self, parameters, context, feedback):
         """Run `compute`, and raise a core error as one of QGIS."""
+        context.setFeedback(feedback)  # not every caller does; outputs and summits report through it
         try:
             results = self.compute(parameters, context, feedback)
             tell_provenance(context, facts_of(self, parameters, context), software(self))

@@ -93,7 +93,7 @@ class ImportPhotos(SkylineAlgorithm):
     def compute(self, parameters, context, feedback):
         """Read each file, then write both layers."""
         folder = self.parameterAsFile(parameters, "FOLDER", context)
-        paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context))
+        paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
         taken, rejected = read_all(paths, feedback)
         wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
         specs = fields.photo_specs()

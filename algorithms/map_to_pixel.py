@@ -88,8 +88,8 @@ class MapToPixel(DemAlgorithm):
                 tr("Points in pictures"),
                 optional=True,
                 text=tr(
-                    "Points in pixels of the upright picture, with negative y for rows. The field state "
-                    "tells whether the photo shows them."
+                    "Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and "
+                    "y_px count on the upright picture. The field state tells whether the photo shows them."
                 ),
             )
         )
@@ -100,8 +100,8 @@ class MapToPixel(DemAlgorithm):
                 QgsProcessing.SourceType.TypeVectorLine,
                 optional=True,
                 text=tr(
-                    "Lines and outlines in pixels of the upright picture, with negative y for rows, cut "
-                    "where their visibility changes."
+                    "Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for "
+                    "rows, cut where their visibility changes."
                 ),
             )
         )

@@ -14,6 +14,7 @@ from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
     add_field_parameters,
+    add_lens_parameter,
     add_terrain_parameters,
     options_of,
     orient_each,
@@ -24,7 +25,8 @@ from .shared.orientation import (
     summary,
 )
 from .shared.oriented import oriented_specs
-from .shared.outputs import write_features
+from .shared.outputs import rehearse, write_features
+from .shared.placing import Placing
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
@@ -83,6 +85,7 @@ class OrientPhotos(DemAlgorithm):
         add_terrain_parameters(self)
         add_rescue_parameters(self)
         add_altitude_parameter(self)
+        add_lens_parameter(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
         self.addParameter(orientations_out())
@@ -100,12 +103,15 @@ class OrientPhotos(DemAlgorithm):
         options = options_of(self, parameters, context)
         requests = requests_of(self, parameters, context, rows)
         fields, kept = oriented_fields(source)
+        rehearse(self, parameters, "OUTPUT", context, (fields, source.wkbType(), source.sourceCrs()))
+        placing = Placing(source.wkbType(), source.sourceCrs(), context)
         features, statuses = [], []
         folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
         with PhotoReport(self, parameters, context, len(rows)) as report:
             oriented_photos = orient_each(requests, self.dem.open(), options, feedback, folder, (0.0, 0.95))
             for row, oriented in zip(rows, oriented_photos):
-                features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m))
+                place = placing.of(row, oriented)
+                features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
                 report.add(oriented)
             feedback.pushInfo(summary(statuses))

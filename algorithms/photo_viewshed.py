@@ -17,6 +17,7 @@ from .shared.kept_orientations import orientations_out
 from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
+    add_lens_parameter,
     options_of,
     orient_each,
     oriented_out,
@@ -25,8 +26,9 @@ from .shared.orientation import (
     summary,
 )
 from .shared.oriented import oriented_specs
-from .shared.outputs import write_features
+from .shared.outputs import rehearse, write_features
 from .shared.photo_points import oriented_point
+from .shared.placing import Placing
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.result_figures import ResultFigures, figures_out, stations_of
@@ -119,6 +121,7 @@ class PhotoViewshed(DemAlgorithm):
         add_field_parameters(self)
         add_rescue_parameters(self)
         add_altitude_parameter(self)
+        add_lens_parameter(self)
         self._add_outputs()
 
     def _add_outputs(self):
@@ -171,6 +174,8 @@ class PhotoViewshed(DemAlgorithm):
         requests = requests_of(self, parameters, context, photos.rows)
         dem = self.dem.open()
         ground = ViewshedOutputs(dem, self.parameterAsDouble(parameters, "MIN_AREA", context))
+        rehearse(self, parameters, "OUTPUT", context, (photos.fields, photos.wkb_type, photos.crs))
+        placing = Placing(photos.wkb_type, photos.crs, context)
         features, statuses = [], []
         # Evaluated once: each evaluation of a temporary folder returns a different one.
         names = ("RASTERS", "FIGURES", "ORIENTATIONS")
@@ -184,7 +189,8 @@ class PhotoViewshed(DemAlgorithm):
                 requests, dem, options, feedback, folders["ORIENTATIONS"], SHARE, ORIENTATION_PART
             )
             for row, oriented in zip(photos.rows, oriented_photos):
-                features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m))
+                place = placing.of(row, oriented)
+                features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
                 point = oriented_point(row, oriented, extras.options.uncertainty)
                 point = self._limited(parameters, context, point, oriented)

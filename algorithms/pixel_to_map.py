@@ -11,13 +11,14 @@ from .shared.fields import qgis_fields
 from .shared.i18n import tr
 from .shared.monoplotting import MapFeatures, drawn_specs, ellipse_specs, point_specs
 from .shared.outputs import write_features
-from .shared.pixel_input import add_pixel_parameters, pixel_fault, pixel_features
+from .shared.pixel_input import FeaturesByPhoto, add_pixel_parameters, pixel_fault, pixel_features
 from .shared.styling import style_on_completion
 from .shared.views import (
     Opening,
     add_uncertainty_parameters,
     add_view_parameters,
     open_views,
+    photo_names,
     sight_options,
     uncertainty_of,
 )
@@ -125,16 +126,17 @@ class PixelToMap(DemAlgorithm):
 
     def compute(self, parameters, context, feedback):
         """Place photo by photo, then write."""
-        drawn = pixel_features(self, parameters, context)
+        drawn = pixel_features(self, parameters, context, feedback)
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
         coverage = self.parameterAsDouble(parameters, "COVERAGE", context) / 100
         step_px = self.parameterAsDouble(parameters, "STEP", context)
-        placed = MapFeatures(terrain, drawn, options, coverage, step_px)
+        whose = FeaturesByPhoto(drawn, photo_names(self, parameters, context))
+        placed = MapFeatures(terrain, whose, options, coverage, step_px)
         reach = options.max_distance_m
         opening = Opening(reach, (0.0, 0.95), uncertainty=uncertainty_of(self, parameters, context))
         for photo in open_views(self, parameters, context, feedback, terrain, opening):
             placed.add(photo, feedback)
-        placed.tell_unused(feedback)
+        whose.tell_unused(feedback)
         results = {"COUNT": placed.count, "SKY_COUNT": placed.sky_count}
         for name, style, title, specs, kind, rows in (
             ("OUTPUT", "placed_points", tr("Points on the map"), point_specs(), QgsWkbTypes.Type.PointZ, placed.points),

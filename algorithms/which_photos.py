@@ -16,7 +16,16 @@ from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.fields import FieldSpec, is_null, number_or_none, qgis_fields
 from .shared.i18n import tr
-from .shared.map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+from .shared.map_places import (
+    kind_of,
+    local_of_map,
+    number,
+    of_one_kind,
+    places_of,
+    straight,
+    to_dem_transform,
+    transformed,
+)
 from .shared.outputs import write_features
 from .shared.styling import style_on_completion
 from .shared.summit_input import snap_distance
@@ -182,6 +191,11 @@ def samples_of(terrain, frame, geometry, height_m=None, snap_m=0.0):
     from ..core.mapping.projecting import sample_area
     from ..core.mapping.sightings import place_of_height
 
+    shapes = of_one_kind(geometry)
+    if len(shapes) > 1:
+        samples = [samples_of(terrain, frame, shape) for shape in shapes]
+        return tuple(np.concatenate(axis) for axis in zip(*samples))
+    geometry = straight(shapes[0])
     kind = kind_of(geometry)
     if kind == "line":
         pixel = abs(terrain.geotransform[1])

@@ -32,7 +32,8 @@ from .figures.notebook import photo_html
 from .figures.overlay import overlay_image
 from .horizon import horizon as horizons
 from .horizon.horizon import HorizonOptions
-from .io.photo import list_photos, read_metadata, read_photo
+from .io.folder import list_photos
+from .io.photo import read_metadata, read_photo
 from .io.whole_file import ReportFile
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .base import imaging
-from .base.camera import FOCAL_SIGMA
+from .base.camera import FOCAL_SIGMA, folds
 from .base.curvature import apparent_drop_m
 from .base.declination import declination_deg
 from .base.doubt import doubted, position_doubt
@@ -77,6 +77,8 @@ class PhotoRequest:
         Horizontal field of view of the upright picture [degrees].
     focal_length_35mm : float or None
         Overrides the value in the file [mm].
+    k1, k2 : float
+        Radial distortion of the lens; see `Camera`.
     position_error_m : float or None
         Standard deviation of the position [m].
     heading_deg, heading_tolerance_deg : float or None, float
@@ -97,6 +99,8 @@ class PhotoRequest:
     use_altitude: bool = False
     hfov_deg: float | None = None
     focal_length_35mm: float | None = None
+    k1: float = 0.0
+    k2: float = 0.0
     position_error_m: float | None = None
     heading_deg: float | None = None
     heading_tolerance_deg: float = 20.0
@@ -152,6 +156,7 @@ def _orient(request, photo, dem, options, cache, progress):
     error = position_error_of(request, metadata)
     observer = Observer(longitude, latitude, request.eye_height_m, _eye_elevation_m(request, metadata))
     prior = camera_prior(metadata, request.hfov_deg)
+    prior = replace(prior, camera=_distorted(prior.camera, request.k1, request.k2))
     compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
     hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
     if hints.heading is None:
@@ -174,6 +179,21 @@ def _orient(request, photo, dem, options, cache, progress):
         preview=np.rint(imaging.shrink_to(photo.pixels, PREVIEW_PX)).astype(np.uint8),
         compass_true_deg=compass,
     )
+
+
+def _distorted(camera, k1, k2):
+    """Camera with the lens's distortion, which must not fold the picture."""
+    camera = replace(camera, k1=float(k1), k2=float(k2))
+    if folds(camera):
+        raise PhotoError(
+            Message(
+                "A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they "
+                "are those of OpenCV, for radii in focal lengths.",
+                k1=f"{k1:g}",
+                k2=f"{k2:g}",
+            )
+        )
+    return camera
 
 
 def doubt_of_heights(requests, dem, most=40):

@@ -6,6 +6,7 @@ from qgis.core import Qgis, QgsField, QgsFields
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
 from ...core.base.attributes import FieldSpec, photo_fields
+from ...core.base.summit_heights import height_m
 from .i18n import marked, tr
 
 _QT_NAMES = {
@@ -13,19 +14,27 @@ _QT_NAMES = {
     "real": ("Double", "Double"),
     "whole": ("Int", "Int"),
     "yes": ("Bool", "Bool"),
+    "time": ("QDateTime", "DateTime"),
+    "bytes": ("QByteArray", "ByteArray"),
 }
 
 
 def qgis_field(spec):
-    """Make the `QgsField`, by the type system of the running QGIS (QMetaType from 3.38 on)."""
-    names = {**_QT_NAMES, "time": ("QDateTime", "DateTime")}[spec.kind]
-    if Qgis.QGIS_VERSION_INT >= 33800:
-        kind = getattr(QMetaType.Type, names[0])
-    else:
-        kind = getattr(QVariant, names[1])
-    field = QgsField(spec.name, kind)
+    """Make the `QgsField`."""
+    field = QgsField(spec.name, _type(spec.kind))
     field.setAlias(spec.alias)
     return field
+
+
+def _type(kind):
+    """Type of a field in the type system of the running QGIS (QMetaType from 3.38 on)."""
+    names = _QT_NAMES[kind]
+    return getattr(QMetaType.Type, names[0]) if Qgis.QGIS_VERSION_INT >= 33800 else getattr(QVariant, names[1])
+
+
+def is_binary(field):
+    """Return whether a `QgsField` holds bytes, such as a picture."""
+    return field.type() == _type("bytes")
 
 
 def qgis_fields(specs):
@@ -71,6 +80,14 @@ def number_or_none(value):
     except (TypeError, ValueError):
         return None
     return number if number - number == 0 else None
+
+
+def metres_of(value):
+    """Height in metres of a number, or of text as OpenStreetMap has it ("2290 m", "7513 ft"); None if there is none."""
+    if is_null(value):
+        return None
+    number = number_or_none(value)
+    return height_m(str(value)) if number is None else number
 
 
 def photo_specs():

@@ -61,7 +61,7 @@ def photo_rows(algorithm, parameters, context, feedback):
     """Read the photographs that the user chose."""
     folder = algorithm.parameterAsString(parameters, "FOLDER", context)
     if folder:
-        paths = photos_in(folder, algorithm.parameterAsBoolean(parameters, "RECURSIVE", context))
+        paths = photos_in(folder, algorithm.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
         source_fields = qgis_fields(photo_specs())
         rows = read_files(paths, source_fields, feedback)
         fields, kept = joined_fields(source_fields, oriented_specs())

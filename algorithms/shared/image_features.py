@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from qgis.core import QgsGeometry, QgsPointXY, QgsProcessingException
 
+from ...core.base.upright import stored_of_upright
 from .fields import FieldSpec, is_null
 from .i18n import tr
-from .map_places import kind_of, local_of_map, number, places_of, to_dem_transform, transformed
+from .map_places import kind_of, local_of_map, number, of_one_kind, places_of, to_dem_transform, transformed
+from .pixel_input import orientation_of
 
 AREA_SAMPLE_PX = 6.0
 """Spacing of the grid on which an area's visible share is sampled, at its nearest point [pixels]."""
@@ -71,7 +73,8 @@ class ImageFeatures:
             geometry = transformed(feature.geometry(), transform)
             if geometry is not None:
                 called = feature[name_field] if name_field else None
-                self._features.append((feature.id(), "" if is_null(called) else str(called), geometry))
+                name = "" if is_null(called) else str(called)
+                self._features += [(feature.id(), name, shape) for shape in of_one_kind(geometry)]
         if not self._features:
             raise QgsProcessingException(
                 tr("The map features are empty, or lie outside the region for which the DEM's CRS is valid.")
@@ -105,7 +108,7 @@ class ImageFeatures:
             values = [photo.path or photo.name, identifier, name, STATE_NAMES[int(shown.state[k])], *at]
             values += [number(v[k]) for v in (shown.distance_m, shown.azimuth_deg, shown.elevation_deg)]
             values.append(number(shown.elevation_m[k]))
-            geometry = None if None in at else QgsGeometry.fromPointXY(_on_picture(*at))
+            geometry = None if None in at else QgsGeometry.fromPointXY(_on_picture(photo, [at])[0])
             self.points.append((geometry, values))
             if shown.state[k] == PlaceState.VISIBLE:
                 self.visible_count += 1
@@ -127,7 +130,7 @@ class ImageFeatures:
         for part, run in runs:
             values = [photo.path or photo.name, identifier, name, STATE_NAMES[run.state], part, *run.share]
             values += [number(run.distance_m.min()), number(run.distance_m.max()), number(share)]
-            self.lines.append((_line_geometry(run), values))
+            self.lines.append((_line_geometry(photo, run), values))
             self.visible_count += run.state == PlaceState.VISIBLE
             if run.state in (PlaceState.VISIBLE, PlaceState.HIDDEN):
                 strokes.append(Stroke(run.x_px, run.y_px, run.state == PlaceState.VISIBLE))
@@ -153,13 +156,15 @@ def _visible_length(parts, runs):
     return seen / total if total else np.nan
 
 
-def _on_picture(x_px, y_px):
-    """Position on the picture as QGIS shows it: from the corner, with y negative downwards."""
-    return QgsPointXY(x_px + 0.5, -(y_px + 0.5))
+def _on_picture(photo, xy_px):
+    """Positions on the picture as QGIS shows it: not rotated, from the corner, with y negative downwards."""
+    camera = photo.view.camera
+    stored = stored_of_upright(xy_px, (camera.width_px, camera.height_px), orientation_of(photo.path))
+    return [QgsPointXY(x + 0.5, -(y + 0.5)) for x, y in stored.tolist()]
 
 
-def _line_geometry(run):
+def _line_geometry(photo, run):
     known = np.isfinite(run.x_px) & np.isfinite(run.y_px)
     if known.sum() < 2:
         return None
-    return QgsGeometry.fromPolylineXY([_on_picture(x, y) for x, y in zip(run.x_px[known], run.y_px[known])])
+    return QgsGeometry.fromPolylineXY(_on_picture(photo, np.column_stack([run.x_px[known], run.y_px[known]])))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,13 +14,22 @@ from qgis.core import (
     QgsFeature,
     QgsProcessingException,
     QgsProviderRegistry,
+    QgsWkbTypes,
 )
+from qgis.PyQt.QtCore import QUrl
 
-from .fields import is_null, number_or_none
+from .fields import is_binary, is_null, number_or_none
 from .i18n import tr
 
-PATH_FIELDS = ("photo", "path", "filepath", "file", "relpath", "image", "filename")
+PATH_FIELDS = (
+    "photo", "path", "filepath", "file", "relpath", "image", "filename",
+    "photo_path", "image_path", "file_path", "file_name", "picture",
+)  # fmt: skip
 """Fields in which other importers store the path; if no field is chosen, the first one that the layer has is used."""
+
+LONGEST_PATH, LONGEST_NAME = 4096, 255
+"""Longer texts, and those that begin as in `EMBEDDED`, are no paths but the picture itself, as base64 or bytes."""
+EMBEDDED = ("data:", "b'", "/9j/")
 
 
 @dataclass(frozen=True)
@@ -75,7 +85,7 @@ def read_points(algorithm, parameters, context, name="INPUT", path_field=None, n
     for feature in source.getFeatures():
         longitude, latitude = position_of(feature, to_wgs84) if needs_position else (None, None)
         path = None if column is None else absolute_path(feature[column], folders)
-        label = Path(path).name if path else label_of(feature)
+        label = name_of(path) if path else label_of(feature)
         values = {key: number_or_none(feature[field]) if field else None for key, field in columns.items()}
         rows.append(PointRow(feature, label, longitude, latitude, path, values))
     if not rows:
@@ -104,8 +114,13 @@ def label_of(feature):
     for name in ("photo", "filename", "name"):
         index = feature.fields().lookupField(name)
         if index >= 0 and not is_null(feature[index]):
-            return Path(str(feature[index])).name
+            return name_of(str(feature[index]))
     return tr("Point {id}").format(id=feature.id())
+
+
+def name_of(path):
+    """Name of a path for messages; a text that is no path is cut."""
+    return Path(path).name[:LONGEST_NAME]
 
 
 def number_column(algorithm, parameters, context, source, name):
@@ -131,10 +146,17 @@ def wgs84_transform(source, context):
 
 
 def position_of(feature, to_wgs84):
-    """Longitude and latitude of a feature [degrees], or (None, None)."""
+    """Longitude and latitude of a feature [degrees], or (None, None).
+
+    A camera has one place: of a geometry with points that differ none is taken, since their middle is none of them.
+    """
     geometry = feature.geometry()
     if geometry.isNull() or geometry.isEmpty():
         return None, None
+    if geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
+        places = {(vertex.x(), vertex.y()) for vertex in geometry.vertices()}
+        if len(places) > 1:
+            return None, None
     point = geometry.centroid().asPoint()
     try:
         point = to_wgs84.transform(point)
@@ -149,12 +171,20 @@ def position_of(feature, to_wgs84):
 def path_column(algorithm, parameters, context, source, name):
     """Field with the photo's path: the chosen one, or the first of `PATH_FIELDS` that the layer has."""
     chosen = algorithm.parameterAsString(parameters, name, context)
-    names = {field.name().lower(): field.name() for field in source.fields()}
+    fields = {field.name().lower(): field for field in source.fields()}
+    names = {name: field.name() for name, field in fields.items() if not is_binary(field)}
     if chosen and chosen.lower() in names:
         return names[chosen.lower()]
     for candidate in PATH_FIELDS:
         if candidate in names and (not chosen or chosen == "photo"):
             return names[candidate]
+    if chosen.lower() in fields:
+        raise QgsProcessingException(
+            tr(
+                "The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their "
+                "paths (PHOTO_FIELD)."
+            ).format(field=chosen)
+        )
     raise QgsProcessingException(
         tr("The layer has no field {field}. Choose the field that holds the photographs' paths.").format(field=chosen)
     )
@@ -178,10 +208,14 @@ def absolute_path(value, folders):
     """Full path of a photo, or None for NULL."""
     if is_null(value):
         return None
-    path = Path(str(value))
+    text = str(value).strip()
+    if len(text) > LONGEST_PATH or text.startswith(EMBEDDED):
+        return f"{text[:30]}..."
+    path = Path(QUrl(text).toLocalFile() if text.lower().startswith("file:") else text)
     if path.is_absolute():
         return str(path)
     for folder in folders:
-        if (folder / path).exists():
-            return str(folder / path)
+        with suppress(OSError, ValueError):  # a text that no system takes for a path
+            if (folder / path).exists():
+                return str(folder / path)
     return str(path)

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from qgis.core import QgsCoordinateTransform, QgsCsException, QgsGeometry, QgsProcessingException
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsGeometry,
+    QgsGeometryCollection,
+    QgsProcessingException,
+    QgsWkbTypes,
+)
 
 from .i18n import tr
 
@@ -43,8 +50,10 @@ def transformed(geometry, transform):
 def places_of(geometry, kind):
     """Vertices of a geometry by parts: [(x, y, z), ...] arrays; z is NaN where the geometry has none.
 
-    `kind` is 'point' (all places in one part), 'line' (a part per line) or 'polygon' (a part per ring).
+    `kind` is 'point' (all places in one part), 'line' (a part per line) or 'polygon' (a part per ring). Arcs become
+    chains of short lines.
     """
+    geometry = straight(geometry)
     with_z = geometry.constGet().is3D()
     if kind == "point":
         return [_xyz(list(geometry.vertices()), with_z)]
@@ -64,6 +73,32 @@ def _xyz(vertices, with_z):
         np.array([v.y() for v in vertices]),
         np.array([v.z() if with_z else np.nan for v in vertices]),
     )
+
+
+def straight(geometry):
+    """Geometry without arcs, whose vertices alone would cut them short."""
+    shape = geometry.constGet()
+    return QgsGeometry(shape.segmentize()) if shape.hasCurvedSegments() else geometry
+
+
+def simple_parts(geometry):
+    """Yield the points, lines and polygons (with their holes) of any geometry, also of a mixed collection."""
+    shape = geometry.constGet()
+    if isinstance(shape, QgsGeometryCollection):
+        for k in range(shape.numGeometries()):
+            yield from simple_parts(QgsGeometry(shape.geometryN(k).clone()))
+    elif not shape.isEmpty():
+        yield geometry
+
+
+def of_one_kind(geometry):
+    """Split a collection of several kinds into one geometry for each kind; others stay whole."""
+    if geometry.type() != QgsWkbTypes.GeometryType.UnknownGeometry:
+        return [geometry]
+    kinds = {}
+    for part in simple_parts(geometry):
+        kinds.setdefault(kind_of(part), []).append(part)
+    return [QgsGeometry.collectGeometry(parts) for parts in kinds.values()]
 
 
 def kind_of(geometry):

@@ -9,7 +9,8 @@ from ...core.base.progress import subtask
 from .feedback import warn
 from .fields import FieldSpec
 from .i18n import tr
-from .map_places import map_of_local, number
+from .map_places import kind_of, map_of_local, number, simple_parts
+from .pixel_input import upright_features
 
 ELLIPSE_CORNERS = 48
 OUTSIDE = "outside"
@@ -84,7 +85,7 @@ class MapFeatures:
     Parameters
     ----------
     terrain : core.io.raster.Dem
-    drawn : list of PixelFeature
+    drawn : FeaturesByPhoto
     options : SightOptions
     coverage : float
         Probability that an ellipse contains the true place.
@@ -96,7 +97,7 @@ class MapFeatures:
         self.terrain, self.drawn, self.options = terrain, drawn, options
         self.coverage, self.step_px = coverage, step_px
         self.points, self.lines, self.polygons, self.ellipses = [], [], [], []
-        self.sky_count, self._used = 0, set()
+        self.sky_count = 0
 
     @property
     def count(self):
@@ -105,27 +106,18 @@ class MapFeatures:
 
     def add(self, photo, feedback):
         """Place the features drawn on one photo."""
-        from ...core.base.pixel_features import for_photo
-
-        mine = for_photo(self.drawn, photo.path or photo.name)
+        mine = self.drawn.of(photo.path or photo.name)
         if mine and not photo.sized:
             warn(feedback, photo.name, tr("The picture's size is unknown, so its pixels cannot be placed."))
             return
+        mine = upright_features(photo, mine, feedback)
         _tell_outside(photo, mine, feedback)
         for index, feature in enumerate(mine):
-            self._used.add(feature)
             part = subtask(photo.progress, index / len(mine), (index + 1) / len(mine))
             if feature.kind == "point":
                 self._add_points(photo, feature, part)
             else:
                 self._add_drawn(photo, feature, part)
-
-    def tell_unused(self, feedback):
-        """Warn of features whose photo is not among the points."""
-        lost = sorted({f.photo for f in self.drawn if f not in self._used})
-        if lost:
-            names = ", ".join(lost[:5]) + (" ..." if len(lost) > 5 else "")
-            feedback.pushWarning(tr("No oriented photo point for: {names}").format(names=names))
 
     def _place(self, photo, xy, progress):
         from ...core.mapping.monoplot import EllipseOptions, ground_ellipses, place_pixels
@@ -264,17 +256,29 @@ def _lines(pieces):
 
 
 def _polygon(pieces):
-    """Make one multipolygon of the outer ring and the holes; the first ring is the outer one."""
-    rings = [ring for part in pieces for ring in part]
-    if not rings:
+    """Make one multipolygon of the outer ring and the holes; the first piece is the outer one.
+
+    Holes remain none if their outer ring lies in the sky. Where the ground jumps, a ring may cross itself on the map.
+    """
+    if not pieces[0]:
         return None, 0
     polygon = QgsPolygon()
-    polygon.setExteriorRing(_line(rings[0]))
-    for ring in rings[1:]:
+    polygon.setExteriorRing(_line(pieces[0][0]))
+    for ring in (ring for part in pieces[1:] for ring in part):
         polygon.addInteriorRing(_line(ring))
     whole = QgsMultiPolygon()
     whole.addGeometry(polygon)
-    return QgsGeometry(whole), 1
+    area = QgsGeometry(whole)
+    return (area if area.isGeosValid() else _valid(area)), 1
+
+
+def _valid(area):
+    """Multipolygon of the parts of an area whose rings cross."""
+    whole = QgsMultiPolygon()
+    for part in simple_parts(area.makeValid()):
+        if kind_of(part) == "polygon":
+            whole.addGeometry(part.constGet().clone())
+    return QgsGeometry(whole) if whole.numGeometries() else None
 
 
 def _line(places):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from qgis.core import QgsProcessingParameterBoolean
+from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterNumber
 
 from ...core.base.errors import Cancelled, OutputError, TerrainError
 from ...core.base.messages import Message
@@ -13,10 +13,11 @@ from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
 from .feedback import FeedbackProgress, announce, warn
-from .fields import joined_fields, number_or_none
+from .fields import is_null, joined_fields, number_or_none
 from .i18n import in_users_language, marked, tr
 from .kept_orientations import KeptOrientations
 from .oriented import oriented_specs, oriented_values
+from .photo_points import lens_of
 from .rescue import Rescue
 
 NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
@@ -33,7 +34,7 @@ def add_field_parameters(algorithm):
                 tr("Field with the horizontal field of view (°)"),
                 tr(
                     "Field of view of the upright picture, across its middle. NULL: computed from the focal "
-                    "length in the file."
+                    "length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV)."
                 ),
             )
         )
@@ -58,6 +59,19 @@ def add_terrain_parameters(algorithm):
         shared.refraction(defaults.refraction_coefficient),
     ):
         algorithm.addParameter(shared.advanced(parameter))
+
+
+def add_lens_parameter(algorithm):
+    """Declare one field of view for all photographs."""
+    parameter = QgsProcessingParameterNumber(
+        "HFOV", tr("Horizontal field of view of all photos (°)"), QgsProcessingParameterNumber.Type.Double, None, True,
+        0.1, 179.0,
+    )  # fmt: skip
+    text = tr(
+        "For photographs of one lens without a focal length in their files, across the middle of the upright picture. "
+        "A value in the field takes precedence."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 
 
 def add_altitude_parameter(algorithm):
@@ -100,25 +114,28 @@ def options_of(algorithm, parameters, context, horizon_distance="MAX_DISTANCE"):
 
 def requests_of(algorithm, parameters, context, rows):
     """One `PhotoRequest` per row; None if the row names no photo."""
-    rescue = Rescue(algorithm, parameters, context)
+    rescue = Rescue(algorithm, parameters, context, [row.path for row in rows if row.path])
     eye_height_m = algorithm.parameterAsDouble(parameters, "EYE_HEIGHT", context)
     use_altitude = algorithm.parameterAsBoolean(parameters, "USE_ALTITUDE", context)
-    return [None if row.path is None else request_of(row, rescue, eye_height_m, use_altitude) for row in rows]
+    hfov_deg = None
+    if not is_null(parameters.get("HFOV")):
+        hfov_deg = algorithm.parameterAsDouble(parameters, "HFOV", context)
+    usual = {"eye_height_m": eye_height_m, "use_altitude": use_altitude, "hfov_deg": hfov_deg}
+    return [None if row.path is None else request_of(row, rescue, usual) for row in rows]
 
 
-def request_of(row, rescue, eye_height_m, use_altitude):
-    """Collect the known data of one photo."""
+def request_of(row, rescue, usual):
+    """Collect the known data of one photo; `usual` holds what is the same for all, unless a field has a value."""
     from ...core.batch import PhotoRequest
 
-    tolerance = row.numbers.get("TOLERANCE_FIELD")
+    tolerance, hfov_deg = row.numbers.get("TOLERANCE_FIELD"), row.numbers.get("HFOV_FIELD")
     return PhotoRequest(
         row.path,
         longitude_deg=row.longitude_deg,
         latitude_deg=row.latitude_deg,
         eye_elevation_m=row.numbers.get("HEIGHT_FIELD"),
-        eye_height_m=eye_height_m,
-        use_altitude=use_altitude,
-        hfov_deg=row.numbers.get("HFOV_FIELD"),
+        **{**usual, **({} if hfov_deg is None else {"hfov_deg": hfov_deg})},
+        **lens_of(row.feature),
         heading_deg=row.numbers.get("HEADING_HINT_FIELD"),
         heading_tolerance_deg=DEFAULT_TOLERANCE_DEG if tolerance is None else tolerance,
         **rescue.of(row.path),
@@ -178,16 +195,27 @@ def without_photo():
     return OrientedPhoto("", Orientation("failed", Message("The point names no photo. Fill its path field.")))
 
 
-def oriented_row(row, kept, oriented, max_distance_m):
-    """Geometry and attributes of an output feature: those of the source, then ours."""
+def oriented_row(row, kept, oriented, max_distance_m, place=None):
+    """Geometry and attributes of an output feature: those of the source, then ours.
+
+    Parameters
+    ----------
+    row : PointRow
+    kept : list of int
+        See `oriented_fields`.
+    oriented : OrientedPhoto
+    max_distance_m : float
+        Range that the run used [m].
+    place : QgsGeometry or None
+        As `Placing` gives it.
+    """
     attributes = row.feature.attributes()
-    geometry = row.feature.geometry() if row.feature.hasGeometry() else None
     ours = oriented_values(oriented, max_distance_m)
     for index, spec in enumerate(oriented_specs()):
         before = row.feature.fields().lookupField(spec.name)
         if spec.name in LENS_FIELDS and ours[index] is None and before >= 0:
             ours[index] = number_or_none(attributes[before])  # a photo that failed keeps the known data of its lens
-    return geometry, [attributes[index] for index in kept] + ours
+    return place, [attributes[index] for index in kept] + ours
 
 
 def oriented_fields(source):

@@ -7,12 +7,14 @@ import re
 import secrets
 from contextlib import suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from qgis.core import (
     QgsFeature,
     QgsFeatureSink,
     QgsField,
     QgsFields,
+    QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingOutputLayerDefinition,
     QgsProperty,
@@ -21,7 +23,8 @@ from qgis.core import (
 
 from ...core.base.errors import OutputError
 from ...core.io.whole_file import staged
-from .i18n import tr
+from .field_names import tell_changed, writable
+from .i18n import in_users_language, tr
 
 IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
 NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
@@ -54,6 +57,8 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     make_folder_of(given)
     if given and given.startswith(IN_MEMORY):
         fields = _without_aliases(fields)
+    fields, changed = writable(fields, rows, given)
+    tell_changed(context.feedback(), changed)
     kind = fields, geometry_type, crs
     if not _is_plain_file(given):
         return _written(algorithm, parameters, name, context, kind, rows)
@@ -65,6 +70,39 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     final = (str(path) if given.startswith("~") else given) + identifier[len(str(stage / path.name)) :]
     _load_instead(context, identifier, final)
     return final
+
+
+def rehearse(algorithm, parameters, name, context, kind):
+    """Write the output without features in a temporary folder, so that a long run does not end in a refusal.
+
+    Parameters
+    ----------
+    kind : (QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem)
+
+    Raises
+    ------
+    QgsProcessingException
+        The format cannot hold the fields or the geometry.
+    """
+    given = _destination(parameters.get(name), context)
+    if not _is_plain_file(given):
+        return
+    fields, geometry_type, crs = kind
+    # Without values, no field can number the features; which name that field gets does not matter here.
+    fields, _ = writable(fields, [(None, [None] * len(fields))], given)
+    path = Path(given)
+    alone = QgsProcessingContext()
+    alone.setTransformContext(context.transformContext())
+    with TemporaryDirectory(prefix="skyline-") as folder:
+        try:
+            empty = {name: _moved(parameters[name], str(Path(folder) / path.name))}
+            _written(algorithm, {**parameters, **empty}, name, alone, (fields, geometry_type, crs), [], path)
+        except (OutputError, QgsProcessingException) as error:
+            raise QgsProcessingException(
+                tr("{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).").format(
+                    path=given, reason=in_users_language(getattr(error, "message", None) or str(error))
+                )
+            ) from None
 
 
 def _written(algorithm, parameters, name, context, kind, rows, path=None):

@@ -9,7 +9,7 @@ from ...core.base.posed import PosedPhoto
 from .i18n import marked, tr
 from .outputs import write_whole
 from .photo_points import PoseReading, photo_point, pose_values
-from .picture_files import PictureFolder
+from .picture_files import PictureFolder, warn_unreadable
 
 SAME_PLACE_M = 100.0
 """Photos taken within this distance of a point are shown in its panorama."""
@@ -31,7 +31,7 @@ class PanoramaFolder:
     def __init__(self, algorithm, parameters, context, terrain, summits, photos):
         self.path = Path(algorithm.parameterAsString(parameters, "FOLDER", context))
         self.terrain, self.summits, self.count = terrain, summits, 0
-        self._names = PictureFolder(str(self.path))
+        self._names, self._feedback = PictureFolder(str(self.path)), context.feedback()
         self._layout = {
             "left_deg": algorithm.parameterAsDouble(parameters, "LEFT", context),
             "pixels_per_degree": algorithm.parameterAsDouble(parameters, "SCALE", context),
@@ -48,7 +48,10 @@ class PanoramaFolder:
         anywhere = PosedPhoto(Camera(1, 1, 1.0), Pose(0.0), observer)
         view = open_view(self.terrain, anywhere, options.max_distance_m, options.refraction_coefficient)
         layout = PanoramaLayout(**self._layout)
-        drawing = lay_out_panorama(panorama, self._labels(view, options), self._frames(view), layout, marked)
+        labels, frames = self._labels(view, options), self._frames(view)
+        drawing = lay_out_panorama(panorama, labels, frames, layout, marked)
+        if self._feedback is not None:
+            warn_unreadable(self._feedback, row.name, [label.words for label in labels] + [f.words for f in frames])
         stem = self._names.stem(f"{tr('panorama')}_{row.feature.id()}.png")
         write_whole(self.path / f"{stem}.png", encode_png(panorama_pixels(drawing), quickly=True))
         write_whole(self.path / f"{stem}.svg", panorama_svg(drawing, row.name))

@@ -11,13 +11,16 @@ from ...core.base.attributes import photo_fields, photo_values
 from .i18n import tr
 
 
-def photos_in(folder, recursive):
-    """Paths of the photographs in a folder; raises a clear error if there are none."""
-    from ...core.io.photo import list_photos
+def photos_in(folder, recursive, feedback):
+    """Paths of the photographs in a folder, with a report of what else it holds; a clear error if there are none."""
+    from ...core.io.folder import scan_folder
 
     if not Path(folder).is_dir():
         raise QgsProcessingException(tr("The folder {folder} does not exist.").format(folder=folder))
-    paths = list(list_photos(folder, recursive))
+    paths, skipped = scan_folder(folder, recursive)
+    if skipped:
+        kinds = ", ".join(f"{suffix or tr('without suffix')} ({count})" for suffix, count in skipped.items())
+        feedback.pushInfo(tr("Files that were not read as photographs: {kinds}").format(kinds=kinds))
     if not paths:
         raise QgsProcessingException(
             tr(

@@ -9,7 +9,7 @@ from typing import Any
 
 from qgis.core import QgsFeature
 
-from ...core.base.camera import Camera, Pose, focal_of_fov_px
+from ...core.base.camera import Camera, Pose, focal_of_fov_px, folds
 from ...core.base.posed import PosedPhoto
 from ...core.base.terrain import Observer
 from ...core.base.uncertainty import PoseUncertainty
@@ -33,6 +33,10 @@ INTERVAL_FIELDS = {"HEADING_LO_FIELD": "heading_lo", "HEADING_HI_FIELD": "headin
 
 ACCURACY_FIELD = "h_acc"
 """Radius that contains the true position with probability 0.68, as importers write it [m]."""
+
+
+DISTORTION_FIELDS = ("k1", "k2")
+"""Fields of the lens's distortion, if the layer has them: no importer writes them, but people add them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +116,11 @@ def pose_values(feature, fields=POSE_FIELDS):
     return {key: value_of(feature, name) for key, name in names.items()}
 
 
+def lens_of(feature):
+    """Distortion of a point's lens from its fields k1 and k2; 0 where they are missing or NULL."""
+    return {name: value_of(feature, name) or 0.0 for name in DISTORTION_FIELDS}
+
+
 def photo_point(row, values, reading, path=None, size_px=None):
     """Read one point.
 
@@ -137,6 +146,9 @@ def photo_point(row, values, reading, path=None, size_px=None):
     pose, camera = _pose(values, reading), pinhole(hfov, vfov, size_px)
     if vfov is None and not reading.level:
         camera = None
+    if camera is not None:
+        camera = replace(camera, **lens_of(row.feature))
+        camera = replace(camera, k1=0.0, k2=0.0) if folds(camera) else camera
     posed = None
     if observer is not None and pose is not None and camera is not None:
         usual = _of_intervals(row.feature, reading.uncertainty)

@@ -47,5 +47,20 @@ class PictureFolder:
             write_whole(self.folder / f"{stem}.png", encode_png(annotation_pixels(drawn), quickly=True))
             write_whole(self.folder / f"{stem}.svg", annotation_svg(drawn, marked))
             self.count += 1
+            warn_unreadable(feedback, photo.name, [point.words for point in points])
         except (PhotoError, MissingPackageError) as error:
             warn(feedback, photo.name, error.message)
+
+
+def warn_unreadable(feedback, picture, names):
+    """Warn of names with characters that no installed font has."""
+    from ...core.figures.fonts import missing_characters
+
+    unreadable = [name for name in names if missing_characters(name)]
+    if unreadable:
+        text = tr(
+            "No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font "
+            "for this script, for example a Noto Sans, and run again."
+        )
+        shown = ", ".join(unreadable[:5]) + (" ..." if len(unreadable) > 5 else "")
+        warn(feedback, picture, text.format(names=shown))

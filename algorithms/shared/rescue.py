@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 from qgis.core import (
     QgsProcessing,
     QgsProcessingException,
     QgsProcessingParameterFeatureSource,
 )
 
+from ...core.base.errors import PhotoError
+from ...core.base.photo_names import owners
+from ...core.base.pixel_features import PixelFeature, counts_upwards, downward
+from ...core.base.upright import on_upright
 from . import parameters as shared
-from .fields import is_null, number_or_none
+from .fields import is_null, metres_of, number_or_none
 from .i18n import tr
 from .layers import position_of, wgs84_transform
 
@@ -83,32 +89,69 @@ class Rescue:
     ----------
     algorithm, parameters, context
         As in `processAlgorithm`; the parameters of `add_rescue_parameters` are read.
+    paths : list of str
+        All photographs of the run.
     """
 
-    def __init__(self, algorithm, parameters, context):
-        self.landmarks = _landmarks(algorithm.parameterAsSource(parameters, "LANDMARKS", context), context)
-        self.skylines = _skylines(algorithm.parameterAsSource(parameters, "SKYLINES", context))
-        self.masks = _masks(algorithm.parameterAsString(parameters, "SKY_MASKS", context))
+    def __init__(self, algorithm, parameters, context, paths):
+        landmarks = _landmarks(algorithm.parameterAsSource(parameters, "LANDMARKS", context), context)
+        skylines = _skylines(algorithm.parameterAsSource(parameters, "SKYLINES", context))
+        self._landmarks = _by_photo(landmarks, paths, "LANDMARKS")
+        self._skylines = _by_photo(skylines, paths, "SKYLINES")
+        self._masks = _by_photo(
+            _masks(algorithm.parameterAsString(parameters, "SKY_MASKS", context)), paths, "SKY_MASKS"
+        )
 
     def of(self, path):
         """Keyword arguments for the `PhotoRequest` of a photo."""
-        found = {"landmarks": tuple(_for_photo(self.landmarks, path) or ())}
-        line = _for_photo(self.skylines, path)
+        marks = self._landmarks.get(path, ())
+        found = {"landmarks": tuple(replace(m, **_upright_pixel(path, m)) if m.y_px < 0 else m for m in marks)}
+        line = self._skylines.get(path)
         if line:
-            found["drawn_skyline"] = tuple(sorted(line))
-        mask = self.masks.get(Path(path).stem.lower())
-        if mask:
-            found["sky_mask_path"] = mask
+            found["drawn_skyline"] = tuple(sorted(map(tuple, _upright(path, line))))
+        masks = self._masks.get(path)
+        if masks:
+            found["sky_mask_path"] = masks[-1]
         return found
 
 
-def _key(photo):
-    return str(photo).replace("\\", "/").rsplit("/", 1)[-1].lower()
+def _by_photo(table, paths, parameter):
+    """Entries of a table {reference: list} by the photo that each reference means."""
+    found, unclear = {}, []
+    for reference, path in owners(table, paths).items():
+        if path is None:
+            unclear.append(str(reference))
+        else:
+            found.setdefault(path, []).extend(table[reference])
+    if unclear:
+        raise QgsProcessingException(
+            tr(
+                "{parameter}: several photos have the name {names}. Write the folders too, for example "
+                "day1/IMG_0001.jpg; put sky masks into folders of the same names."
+            ).format(parameter=parameter, names=", ".join(unclear[:5]))
+        )
+    return found
 
 
-def _for_photo(table, path):
-    """Entries under the file's name, with or without its extension."""
-    return table.get(_key(path)) or table.get(Path(_key(path)).stem)
+def _upright(path, places):
+    """Pixels of the upright picture; those that QGIS counts upwards were drawn on the picture as it is stored."""
+    parts = [np.asarray(places, float)]
+    if not counts_upwards(parts) or not Path(path).exists():
+        return places
+    from ...core.io.photo import read_metadata, stored_orientation
+
+    drawn = PixelFeature(path, "line", downward(parts), as_stored=True)
+    try:
+        metadata = read_metadata(path)
+        drawn, _ = on_upright(drawn, metadata.width_px, metadata.height_px, stored_orientation(path))
+    except PhotoError:  # the orientation reports the reason
+        return places
+    return drawn.parts[0].tolist()
+
+
+def _upright_pixel(path, mark):
+    ((x, y),) = _upright(path, [(mark.x_px, mark.y_px)])
+    return {"x_px": x, "y_px": y}
 
 
 def _landmarks(source, context):
@@ -125,8 +168,8 @@ def _landmarks(source, context):
         x, y = number_or_none(x), number_or_none(y)
         if is_null(photo) or None in (x, y, longitude):
             continue
-        height = _optional_number(source, feature, ("elevation", "elev", "z", "height"))
-        found.setdefault(_key(photo), []).append(LandmarkHint(x, y, longitude, latitude, height))
+        height = _optional(source, feature, ("elevation", "elev", "z", "height"), metres_of)
+        found.setdefault(str(photo), []).append(LandmarkHint(x, y, longitude, latitude, height))
     return found
 
 
@@ -138,9 +181,9 @@ def _skylines(source):
     for feature in source.getFeatures():
         photo, x, y = (feature[column] for column in columns)
         x, y = number_or_none(x), number_or_none(y)
-        confidence = _optional_number(source, feature, ("confidence",))
+        confidence = _optional(source, feature, ("confidence",), number_or_none)
         if not is_null(photo) and None not in (x, y) and (confidence is None or confidence > 0):
-            found.setdefault(_key(photo), []).append((x, y))
+            found.setdefault(str(photo), []).append((x, y))
     return found
 
 
@@ -160,10 +203,10 @@ def _columns(source, parameter):
     return columns
 
 
-def _optional_number(source, feature, wanted):
+def _optional(source, feature, wanted, read):
     for field in source.fields():
         if field.name().lower() in wanted:
-            return number_or_none(feature[field.name()])
+            return read(feature[field.name()])
     return None
 
 
@@ -172,5 +215,5 @@ def _masks(folder):
         return {}
     if not Path(folder).is_dir():
         raise QgsProcessingException(tr("The folder of sky masks {folder} does not exist.").format(folder=folder))
-    files = (path for path in sorted(Path(folder).iterdir()) if path.suffix.lower() in MASK_SUFFIXES)
-    return {path.stem.lower(): str(path) for path in files}
+    files = (path for path in sorted(Path(folder).rglob("*")) if path.suffix.lower() in MASK_SUFFIXES)
+    return {str(path): [str(path)] for path in files}

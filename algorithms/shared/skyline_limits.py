@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 from qgis.core import QgsProcessing, QgsProcessingParameterBoolean, QgsProcessingParameterFeatureSource
 
+from ...core.base.photo_names import owners
 from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, number_or_none
@@ -77,14 +77,11 @@ def with_table(algorithm, parameters, context, points, feedback):
     if source is None:
         return points
     tolerance_deg = algorithm.parameterAsDouble(parameters, "SKYLINE_TOLERANCE", context)
-    lines, by_name = lines_of(source), {}
-    for photo in lines:
-        by_name.setdefault(Path(photo).name.lower(), []).append(photo)
+    lines = lines_of(source)
+    keys = {path: photo for photo, path in owners(lines, [p.path for p in points if p.path]).items()}
     limited = []
     for point in points:
-        photo = point.path or ""
-        same_name = by_name.get(Path(photo).name.lower(), [])
-        key = photo if photo in lines else same_name[0] if len(same_name) == 1 else None
+        key = keys.get(point.path)
         if key is None:
             warn(
                 feedback, point.name, tr("The table of skylines does not contain this photo, so no ground is excluded.")
@@ -123,7 +120,8 @@ def with_line(point, columns, rows, confidence, tolerance_deg):
     row_px = skyline_rows(columns, rows, confidence, width_px)
     posed = point.posed
     if posed is not None and posed.camera.width_px != width_px:  # its size was unknown
-        posed = replace(posed, camera=pinhole(point.hfov_deg, point.vfov_deg, (width_px, None)))
+        camera = pinhole(point.hfov_deg, point.vfov_deg, (width_px, None))
+        posed = replace(posed, camera=replace(camera, k1=posed.camera.k1, k2=posed.camera.k2))
     return replace(point, posed=posed, skyline_row_px=row_px, skyline_tolerance_deg=tolerance_deg)
 
 

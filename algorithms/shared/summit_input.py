@@ -7,16 +7,21 @@ from typing import Any
 
 import numpy as np
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsGeometry,
+    QgsPointXY,
     QgsProcessing,
     QgsProcessingException,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterField,
 )
 
+from ...core.base.summit_heights import contradicts
 from . import parameters as shared
-from .fields import is_null, number_or_none
+from .feedback import warn
+from .fields import is_null, metres_of
 from .i18n import tr
-from .map_places import local_of_map, to_dem_transform, transformed
+from .map_places import local_of_map, simple_parts, to_dem_transform, transformed
 
 SNAP_M = 500.0
 
@@ -51,12 +56,19 @@ def add_summit_parameters(algorithm):
     layer = QgsProcessingParameterFeatureSource(
         "PEAKS", tr("Summits"), [QgsProcessing.SourceType.TypeVectorPoint], optional=True
     )
-    text = tr("Points with names and heights. Empty: summits are found in the DEM by their prominence.")
+    text = tr(
+        "Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the "
+        "summits are read. Empty: summits are found in the DEM by their prominence."
+    )
     algorithm.addParameter(shared.explained(layer, text))
     name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), "name", "PEAKS", optional=True)
     algorithm.addParameter(shared.explained(name, tr("Summits without a name are left out.")))
     height = shared.number_field(
-        "ELEVATION_FIELD", tr("Field with heights (m)"), tr("Text such as 4478 is read too."), "ele", "PEAKS"
+        "ELEVATION_FIELD",
+        tr("Field with heights (m)"),
+        tr("Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used."),
+        "ele",
+        "PEAKS",
     )
     height.setDataType(height.DataType.Any)
     algorithm.addParameter(height)
@@ -93,11 +105,18 @@ class Summitry:
         self.terrain = terrain
         self.snap_m = algorithm.parameterAsDouble(parameters, "SNAP", context)
         self.least_m = algorithm.parameterAsDouble(parameters, "MIN_PROMINENCE", context)
-        self.given = None
+        self.given, self._feedback, self._told = None, context.feedback(), set()
         if not is_null(parameters.get("PEAKS")):
             source = algorithm.parameterAsSource(parameters, "PEAKS", context)
             if source is None:
                 raise QgsProcessingException(algorithm.invalidSourceError(parameters, "PEAKS"))
+            from ...core.io.osm_summits import is_extract
+
+            layer = algorithm.parameterAsVectorLayer(parameters, "PEAKS", context)
+            path = "" if layer is None else layer.source().split("|")[0]
+            if is_extract(path):
+                self.given = _of_extract(path, dem_crs, context)
+                return
             names = [algorithm.parameterAsString(parameters, key, context) for key in ("NAME_FIELD", "ELEVATION_FIELD")]
             self.given = _read(source, *names, to_dem_transform(source.sourceCrs(), dem_crs, context))
 
@@ -109,17 +128,33 @@ class Summitry:
         for name, x, y, height in self.given:
             east, north = (float(v) for v in local_of_map(self.terrain, view.frame, x, y))
             if np.hypot(east, north) <= max_distance_m:
-                summits.append((name, *self._set(view, east, north, height), np.nan))
+                summits.append((name, *self._set(view, name, (east, north), height), np.nan))
         return summits
 
-    def _set(self, view, east, north, height):
+    def _set(self, view, name, place, height):
+        """East, north, height, height in the DEM and distance moved of a published summit."""
         from ...core.mapping.peaks import snap_to_summit
 
+        east, north = place
+        radius_m = max(self.snap_m, 0.0)
+        to_east, to_north, top = snap_to_summit(self.terrain, view.frame, east, north, height, radius_m)
+        if height is not None and contradicts(height, top):
+            self._tell(name, height, top)
+            height = None
+            to_east, to_north, top = snap_to_summit(self.terrain, view.frame, east, north, None, radius_m)
         if self.snap_m <= 0:
-            return east, north, np.nan if height is None else height, np.nan, 0.0
-        to_east, to_north, top = snap_to_summit(self.terrain, view.frame, east, north, height, self.snap_m)
+            return east, north, top if height is None else height, np.nan, 0.0
         moved = float(np.hypot(to_east - east, to_north - north))
         return to_east, to_north, top if height is None else height, top, moved
+
+    def _tell(self, name, height, top):
+        if self._feedback is not None and (name, height) not in self._told:
+            self._told.add((name, height))
+            text = tr(
+                "The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is "
+                "used. If it is in feet, write 'ft' after it."
+            )
+            warn(self._feedback, name, text.format(height=f"{height:.0f}", top=f"{top:.0f}"))
 
     def _found(self, view, max_distance_m):
         from ...core.mapping.peaks import summits_around
@@ -170,11 +205,25 @@ def _read(source, name_field, height_field, transform):
         )
     summits = []
     for feature in source.getFeatures():
-        geometry = transformed(feature.geometry(), transform)
         name = feature[name_field]
+        geometry = transformed(feature.geometry(), transform)
         if geometry is None or is_null(name):
             continue
-        point = geometry.centroid().asPoint()
-        height = number_or_none(feature[height_field]) if height_field in known else None
-        summits.append((str(name), point.x(), point.y(), height))
+        height = metres_of(feature[height_field]) if height_field in known else None
+        for part in simple_parts(geometry):
+            point = part.centroid().asPoint()
+            summits.append((str(name), point.x(), point.y(), height))
+    return summits
+
+
+def _of_extract(path, dem_crs, context):
+    """Summits of an OpenStreetMap extract, whose layer as QGIS opens it lacks the heights."""
+    from ...core.io.osm_summits import read_summits
+
+    wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
+    transform, summits = to_dem_transform(wgs84, dem_crs, context), []
+    for name, longitude, latitude, height in read_summits(path):
+        place = transformed(QgsGeometry.fromPointXY(QgsPointXY(longitude, latitude)), transform)
+        if place is not None:
+            summits.append((name, place.asPoint().x(), place.asPoint().y(), metres_of(height)))
     return summits

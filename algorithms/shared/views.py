@@ -178,6 +178,12 @@ def open_views(algorithm, parameters, context, feedback, terrain, opening):
         checkpoint(part, 1.0)
 
 
+def photo_names(algorithm, parameters, context):
+    """Path, or else name, of every photo of the points, also of those that `open_views` leaves out."""
+    _, rows = read_points(algorithm, parameters, context, "INPUT", _path_field(algorithm, parameters, context))
+    return [row.path or row.name for row in rows]
+
+
 def _path_field(algorithm, parameters, context):
     """PHOTO_FIELD, or None if the layer has no such field and the user has not asked for another."""
     source = algorithm.parameterAsSource(parameters, "INPUT", context)

@@ -108,6 +108,17 @@ class Camera:
         )
 
 
+def folds(camera: Camera) -> bool:
+    """Tell whether the distortion turns back within the picture, so that its corners show nothing."""
+    radius = np.hypot(camera.width_px, camera.height_px) / 2 / camera.focal_px
+    r2 = np.linspace(0.0, 4 * radius, 200) ** 2
+    gain = 1 + camera.k1 * r2 + camera.k2 * r2 * r2
+    slope = 1 + 3 * camera.k1 * r2 + 5 * camera.k2 * r2 * r2
+    # Only the part that appears in the picture has to be one-to-one.
+    reached = np.cumsum(slope <= 0) > 0
+    return bool((np.sqrt(r2) * gain)[~reached].max() < radius and reached.any())
+
+
 def fov_of_focal_deg(side_px: float, focal_px: float) -> float:
     """Give the full angle that a side of `side_px` subtends at a focal length of `focal_px` [degrees]."""
     return float(np.degrees(2 * np.arctan(side_px / (2 * focal_px))))

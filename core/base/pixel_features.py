@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -30,6 +30,12 @@ class PixelFeature:
         Class or name of the feature.
     attributes : dict
         Further values from the source, as plain text and numbers.
+    size_px : (width, height) or None
+        Size of the picture on which it was drawn, if the source states it; `upright.on_upright` compares it [pixels].
+    as_stored : bool
+        Drawn over the picture as GDAL and QGIS show it, without the rotation that EXIF prescribes.
+    file_bytes : int or None
+        Size of that picture's file, if the source states only this.
     """
 
     photo: str
@@ -37,33 +43,27 @@ class PixelFeature:
     parts: tuple[np.ndarray, ...]
     label: str = ""
     attributes: dict[str, Any] = field(default_factory=dict)
+    size_px: tuple[float, float] | None = None
+    as_stored: bool = False
+    file_bytes: int | None = None
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise ValueError(f"kind must be one of {KINDS}, not {self.kind!r}")
 
 
-def photo_key(photo: object) -> str:
-    """Give the key by which photographs are matched: the file's name in lower case, without folders."""
-    return str(photo).replace("\\", "/").rsplit("/", 1)[-1].lower()
-
-
-def for_photo(features: Iterable[PixelFeature], path: object) -> list[PixelFeature]:
-    """Select the features of a photo by its file name, with or without the extension; '' matches any photo."""
-    key = photo_key(path)
-    stem = key.rsplit(".", 1)[0]
-    return [
-        f for f in features if photo_key(f.photo) in (key, stem, "") or photo_key(f.photo).rsplit(".", 1)[0] == stem
-    ]
-
-
-def downward(parts: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Make y point down if it points up, as QGIS has it on a picture without georeference.
+def counts_upwards(parts: Sequence[np.ndarray]) -> bool:
+    """Tell whether y points up, as QGIS has it on a picture without georeference.
 
     There the upper left corner is (0, 0) and the picture lies at negative y.
     """
     y = np.concatenate([part[:, 1] for part in parts]) if parts else np.zeros(0)
-    if y.size and y.min() < -1.0 and y.max() <= 0.5:
+    return bool(y.size and y.min() < -1.0 and y.max() <= 0.5)
+
+
+def downward(parts: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """Make y point down if it `counts_upwards`."""
+    if counts_upwards(parts):
         return tuple(np.column_stack([part[:, 0] - 0.5, -part[:, 1] - 0.5]) for part in parts)
     return tuple(parts)
 
@@ -74,7 +74,7 @@ def open_ring(points: ArrayLike) -> np.ndarray:
     return points[:-1] if len(points) > 1 and np.array_equal(points[0], points[-1]) else points
 
 
-def ellipse(centre: ArrayLike, radius_x: float, radius_y: float | None = None) -> np.ndarray:
+def ellipse(centre: ArrayLike, radius_x: float, radius_y: float | None = None, turn_rad: float = 0.0) -> np.ndarray:
     """Give the vertices of an ellipse with `CIRCLE_CORNERS` corners, clockwise from the top.
 
     Parameters
@@ -83,6 +83,8 @@ def ellipse(centre: ArrayLike, radius_x: float, radius_y: float | None = None) -
         x and y [pixels].
     radius_x, radius_y : float
         Half axes along x and y [pixels]; a circle without `radius_y`.
+    turn_rad : float
+        Rotation of the axes, clockwise in the picture [radians].
 
     Returns
     -------
@@ -91,4 +93,5 @@ def ellipse(centre: ArrayLike, radius_x: float, radius_y: float | None = None) -
     """
     turn = 2 * np.pi * np.arange(CIRCLE_CORNERS) / CIRCLE_CORNERS
     across, down = radius_x * np.sin(turn), -(radius_x if radius_y is None else radius_y) * np.cos(turn)
-    return np.asarray(centre, float) + np.column_stack([across, down])
+    cos, sin = np.cos(turn_rad), np.sin(turn_rad)
+    return np.asarray(centre, float) + np.column_stack([across * cos - down * sin, across * sin + down * cos])

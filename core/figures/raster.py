@@ -11,17 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.errors import MissingPackageError
 from ..base.messages import Message
 from ..base.optional import require
+from .fonts import runs_of
 from .text import plain
 
 OVERSAMPLING = 3
 CASING = (0, 0, 0)
-_FONTS = {
-    False: ("DejaVuSans.ttf", "Arial.ttf", "arial.ttf", "LiberationSans-Regular.ttf", "Helvetica.ttc"),
-    True: ("DejaVuSans-Bold.ttf", "Arial Bold.ttf", "arialbd.ttf", "LiberationSans-Bold.ttf", "Helvetica.ttc"),
-}
 
 
 def encode_png(pixels, quickly=False):
@@ -180,15 +176,21 @@ def draw_words(pixels, x_px, y_px, words, colour, style=TypeStyle()):  # noqa: B
     image, draw_module = _pillow("Image"), _pillow("ImageDraw")
     canvas = image.fromarray(pixels)
     halo = (0, 0, 0) if np.mean(colour) > 110 else (255, 255, 255)
-    draw_module.Draw(canvas).text(
-        (x_px, y_px),
-        plain(words, 120),
-        fill=tuple(int(c) for c in colour),
-        font=_font(style.size_px, style.bold),
-        anchor=style.anchor,
-        stroke_width=style.casing_px,
-        stroke_fill=halo,
-    )
+    runs = runs_of(plain(words, 120), style.size_px, style.bold)
+    widths = [font.getlength(text) for text, font in runs]
+    across, up = style.anchor
+    at_px = x_px - {"l": 0.0, "m": 0.5, "r": 1.0}[across] * sum(widths)
+    for (text, font), width in zip(runs, widths):
+        draw_module.Draw(canvas).text(
+            (at_px, y_px),
+            text,
+            fill=tuple(int(c) for c in colour),
+            font=font,
+            anchor="l" + up,
+            stroke_width=style.casing_px,
+            stroke_fill=halo,
+        )
+        at_px += width
     np.copyto(pixels, np.asarray(canvas))
 
 
@@ -202,7 +204,7 @@ def words_width(words, size_px=14, bold=False):
         Height of the type [pixels].
     bold : bool
     """
-    return float(_font(size_px, bold).getlength(plain(words, 120)))
+    return float(sum(font.getlength(text) for text, font in runs_of(plain(words, 120), size_px, bold)))
 
 
 def _pillow(module):
@@ -215,25 +217,6 @@ def _encoded(pixels, kind, **options):
     stream = io.BytesIO()
     _pillow("Image").fromarray(np.ascontiguousarray(pixels, dtype=np.uint8)).save(stream, kind, **options)
     return stream.getvalue()
-
-
-def _font(size_px, bold):
-    fonts = _pillow("ImageFont")
-    for name in _FONTS[bold]:
-        try:
-            return fonts.truetype(name, round(size_px))
-        except OSError:
-            continue
-    try:
-        return fonts.load_default(round(size_px))
-    except TypeError:  # before Pillow 10.1 the built-in font has one tiny size and no anchors
-        raise MissingPackageError(
-            Message(
-                "Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or "
-                "Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or "
-                "install a newer Pillow."
-            )
-        ) from None
 
 
 def _cover(pixels, pieces, colour, width_px, opacity):

@@ -1,4 +1,4 @@
-"""List photographs, and read their metadata and upright pixels."""
+"""Read the metadata and upright pixels of photographs."""
 
 from __future__ import annotations
 
@@ -6,43 +6,12 @@ import os
 
 import numpy as np
 
-from ..base.errors import SkylineViewshedError
 from ..base.imaging import shrink
-from ..base.messages import Message
 from ..base.model import Photo, PhotoMetadata
 from .exif import read_tags
-from .formats import format_of, is_photo_name
+from .formats import format_of
 from .metadata import interpret
 from .pixels import decode, stored_size
-
-
-def list_photos(folder, recursive=False):
-    """List the JPEG and HEIC files of a folder by their suffixes, sorted by name.
-
-    Raises
-    ------
-    SkylineViewshedError
-        If the folder is missing or cannot be read.
-
-    Examples
-    --------
-    >>> [os.path.basename(path) for path in list_photos(".")]
-    ['north.jpg', 'west.jpg']
-    """
-    found = []
-    try:
-        for entry in os.scandir(folder):
-            if entry.is_file() and is_photo_name(entry.name):
-                found.append(entry.path)
-            elif recursive and entry.is_dir(follow_symlinks=False) and not entry.name.startswith("."):
-                found += list_photos(entry.path, recursive=True)
-    except OSError as error:
-        raise SkylineViewshedError(
-            Message(
-                "The folder {folder} cannot be listed: {reason}. Check the path.", folder=folder, reason=error.strerror
-            )
-        ) from None
-    return sorted(found)
 
 
 def read_metadata(path):
@@ -60,6 +29,16 @@ def read_metadata(path):
     path = os.fspath(path)
     kind = format_of(path)
     return _metadata(path, kind, stored_size(path, kind))
+
+
+def stored_orientation(path):
+    """Give the EXIF Orientation that the stored pixels still need, 1 to 8; 1 for HEIC, whose decoder applies it.
+
+    Raises
+    ------
+    UnreadablePhotoError
+    """
+    return 1 if format_of(path) == "heif" else read_metadata(path).orientation
 
 
 def _metadata(path, kind, size):

@@ -165,3 +165,14 @@ def test_a_folder_of_ten_thousand_photographs_is_read_in_little_memory(qgis_proc
         peaks.append(peak)
     assert len(rows_of(output)) == MANY
     assert peaks[1] - peaks[0] < MANY * BYTES_PER_PHOTO, peaks
+
+
+def test_what_a_folder_holds_besides_photographs_is_said_by_kind_and_count(run, scene, tmp_path):
+    import shutil
+
+    shutil.copy(scene.folder / "north.jpg", tmp_path / "north.jpg")
+    for name in ("a.dng", "b.dng", "notes"):
+        (tmp_path / name).write_bytes(b"x")
+    results, feedback = run("importphotos", {"FOLDER": str(tmp_path), "OUTPUT": "memory:"})
+    assert results["COUNT"] == 1
+    assert "Files that were not read as photographs: without suffix (1), .dng (2)" in feedback.infos

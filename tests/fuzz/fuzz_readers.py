@@ -191,20 +191,20 @@ def mask_reader(path):
 def table_reader(path):
     import numpy as np
     from skyline_viewshed.core.base.errors import UnreadableFeaturesError
-    from skyline_viewshed.core.base.pixel_features import for_photo
+    from skyline_viewshed.core.base.photo_names import owners
     from skyline_viewshed.core.io.features import read_features
 
     def read(content):
         path.write_bytes(content)
         try:
-            features = read_features(str(path))
+            features, _ = read_features(str(path))
         except UnreadableFeaturesError as error:
             assert_sentence(error)
             return
         for feature in features:
             assert isinstance(feature.photo, str) and feature.kind in ("point", "line", "polygon")
             assert all(part.ndim == 2 and np.isfinite(part).all() for part in feature.parts)
-        for_photo(features, "IMG_1.jpg")
+        owners((feature.photo for feature in features), ["IMG_1.jpg"])
 
     return read
 

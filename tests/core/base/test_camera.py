@@ -9,6 +9,7 @@ from skyline_viewshed.core.base.camera import (
     Pose,
     focal_from_35mm_px,
     focal_of_fov_px,
+    folds,
     fov_of_focal_deg,
     in_frame,
     project,
@@ -96,3 +97,12 @@ def test_an_impossible_field_of_view_is_refused(bad):
 def test_a_camera_without_size_is_refused():
     with pytest.raises(ValueError, match="positive"):
         Camera(0, 10, 5.0)
+
+
+@pytest.mark.parametrize(("k1", "k2", "folded"), [(0, 0, False), (-0.1, 0.01, False), (0.3, 0, False), (-2, 0, True)])
+def test_a_lens_folds_if_its_corners_would_show_nothing(k1, k2, folded):
+    camera = Camera(4000, 3000, 3500.0, k1=k1, k2=k2)
+    assert folds(camera) is folded
+    azimuth, elevation = unproject(camera, Pose(10.0), [0.0], [0.0])
+    there = np.array(project(camera, Pose(10.0), azimuth, elevation))
+    assert bool((np.abs(there) < 0.01).all()) is not folded

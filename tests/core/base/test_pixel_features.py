@@ -4,24 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from skyline_viewshed.core.base.pixel_features import PixelFeature, downward, for_photo, open_ring, photo_key
+from skyline_viewshed.core.base.pixel_features import PixelFeature, downward, ellipse, open_ring
 
 SQUARE = np.array([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]])
-
-
-def feature(photo):
-    return PixelFeature(photo, "line", (SQUARE,))
-
-
-@pytest.mark.parametrize("path", ["/a/b/IMG_1.JPG", "C:\\photos\\IMG_1.jpg", "img_1.jpg", "b/Img_1.Jpg"])
-def test_photos_are_known_by_their_file_name_alone(path):
-    assert photo_key(path) == "img_1.jpg"
-
-
-def test_a_feature_belongs_to_its_photo_with_any_extension_and_to_all_without_a_name():
-    features = [feature(name) for name in ("IMG_1.jpg", "/x/img_1.HEIC", "img_1", "", "IMG_10.jpg", "1.jpg")]
-    assert for_photo(features, "/photos/IMG_1.JPG") == features[:4]
-    assert for_photo(features, "IMG_10.tif") == [features[3], features[4]]
 
 
 def test_only_points_lines_and_polygons_can_be_drawn():
@@ -49,3 +34,11 @@ def test_a_closed_ring_is_opened_once():
     assert np.array_equal(open_ring(closed), SQUARE)
     assert np.array_equal(open_ring(SQUARE), SQUARE)
     assert open_ring(SQUARE[:1]).shape == (1, 2) and open_ring([]).shape == (0, 2)
+
+
+def test_a_turned_ellipse_has_its_long_axis_where_via_draws_it():
+    """VIA turns the canvas, whose y points down, by theta: a long axis along x then points down to the right."""
+    turned = ellipse((10.0, 20.0), 8.0, 2.0, np.pi / 6) - (10.0, 20.0)
+    far = turned[np.argmax(turned[:, 0])]
+    assert np.degrees(np.arctan2(far[1], far[0])) == pytest.approx(30, abs=3)
+    assert np.hypot(*turned.T).max() == pytest.approx(8)

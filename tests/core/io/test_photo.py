@@ -8,12 +8,12 @@ import zlib
 import numpy as np
 import pytest
 from PIL import Image, ImageOps
-from skyline_viewshed.core.base.errors import SkylineViewshedError, UnreadablePhotoError
+from skyline_viewshed.core.base.errors import UnreadablePhotoError
 from skyline_viewshed.core.base.imaging import shrink
 from skyline_viewshed.core.base.optional import available
 from skyline_viewshed.core.io import photo as photo_module
 from skyline_viewshed.core.io import pixels as pixels_module
-from skyline_viewshed.core.io.photo import list_photos, read_metadata, read_photo
+from skyline_viewshed.core.io.photo import read_metadata, read_photo
 
 PILLOW = ("PIL", "PIL.Image", "PIL.JpegImagePlugin")
 
@@ -330,40 +330,6 @@ def test_metadata_of_real_photographs(shared_data, path, expected):
 def test_ignored_coordinates_leave_a_note(shared_data):
     assert "ignored" in read_metadata(shared_data / "exif/gps/nikon_d5000.jpg").notes[0]
     assert "ignored" in read_metadata(shared_data / "exif/heic/issue487.heic").notes[0]
-
-
-# --- folders ----------------------------------------------------------------------------------------------------
-
-
-def test_a_folder_lists_its_photographs_sorted(tmp_path):
-    for name in ("b.JPG", "a.heic", "ü ß 🏔.jpeg", "._b.JPG", "notes.txt", "dem.tif"):
-        (tmp_path / name).write_bytes(b"x")
-    (tmp_path / "sub").mkdir()
-    (tmp_path / "sub" / "c.heif").write_bytes(b"x")
-    (tmp_path / "folder.jpg").mkdir()
-    flat = [path[len(str(tmp_path)) + 1 :] for path in list_photos(tmp_path)]
-    assert flat == ["a.heic", "b.JPG", "ü ß 🏔.jpeg"]
-    deep = list_photos(str(tmp_path), recursive=True)
-    assert len(deep) == 4
-    assert deep == sorted(deep)
-
-
-def test_a_folder_that_contains_itself_ends(tmp_path):
-    (tmp_path / "loop").symlink_to(tmp_path)
-    (tmp_path / "a.jpg").write_bytes(b"x")
-    assert len(list_photos(tmp_path, recursive=True)) == 1
-
-
-def test_an_empty_folder_is_empty_and_a_missing_one_is_told(tmp_path):
-    assert list_photos(tmp_path) == []
-    with pytest.raises(SkylineViewshedError, match="cannot be listed"):
-        list_photos(tmp_path / "missing")
-
-
-def test_a_large_folder_is_listed(tmp_path):
-    for number in range(2000):
-        (tmp_path / f"IMG_{number:05}.JPG").touch()
-    assert len(list_photos(tmp_path)) == 2000
 
 
 def test_reading_changes_nothing_on_disk(tmp_path):
