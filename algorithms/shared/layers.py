@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 from qgis.core import (
@@ -20,6 +20,9 @@ from .i18n import tr
 
 PATH_FIELDS = ("photo", "path", "filepath", "file", "relpath", "image", "filename")
 """Fields in which other importers store the path; if no field is chosen, the first one that the layer has is used."""
+
+MOST_UP = 2
+"""Folders above that of a layer or project in which a photo that moved is looked for."""
 
 
 @dataclass(frozen=True)
@@ -179,9 +182,27 @@ def absolute_path(value, folders):
     if is_null(value):
         return None
     path = Path(str(value))
-    if path.is_absolute():
+    if path.is_file() and path.is_absolute():
         return str(path)
+    if path.is_absolute() or PureWindowsPath(str(value)).is_absolute():
+        return moved_photo(value, folders)
     for folder in folders:
         if (folder / path).exists():
             return str(folder / path)
+    return str(path)
+
+
+def moved_photo(path, folders):
+    """Where a photo is that moved with its layer or project: as much of its path as fits below one of the folders.
+
+    The folders above are searched too, since a layer often lies beside the folder of its photos, or in one of its own.
+    """
+    parts = [part for part in str(path).replace("\\", "/").split("/") if part]
+    for folder in folders:
+        for up, base in enumerate((folder, *list(folder.parents)[:MOST_UP])):
+            # A name alone proves little: cameras number their files anew, so it counts only beside the layer.
+            for start in range(1, len(parts) - (up > 0)):
+                candidate = base.joinpath(*parts[start:])
+                if candidate.is_file():
+                    return str(candidate)
     return str(path)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from datetime import datetime
 from pathlib import Path
 
-from qgis.core import QgsProcessingLayerPostProcessorInterface
+from qgis.core import QgsProcessingLayerPostProcessorInterface, QgsVectorLayer
 
 from .legends import translate_legend, translated_style
 from .outputs import write_whole
-
-STYLES = Path(__file__).resolve().parents[2] / "styles"
+from .stored_style import STYLES, style_document
 
 MOST_ALIVE = 200
 _ALIVE = []
@@ -27,18 +26,26 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
 
     def postProcessLayer(self, layer, context, feedback):
         """Apply style, aliases and metadata."""
-        style = STYLES / f"{self.style}.qml"
-        if style.exists():
-            message, loaded = layer.loadNamedStyle(str(style))
+        if isinstance(layer, QgsVectorLayer):
+            self._dress(layer, feedback)
+        elif (STYLES / f"{self.style}.qml").exists():
+            message, loaded = layer.loadNamedStyle(str(STYLES / f"{self.style}.qml"))
             if not loaded:
                 feedback.pushWarning(message)
             translate_legend(layer)
-        for spec in self.specs:
-            index = layer.fields().lookupField(spec.name)
-            if index >= 0:
-                layer.setFieldAlias(index, spec.alias)
         layer.setMetadata(self._described(layer.metadata()))
         layer.triggerRepaint()
+
+    def _dress(self, layer, feedback):
+        """Apply the style that a file carries; layers in memory and tables of databases have none of their own."""
+        ours = {spec.name: spec.alias for spec in self.specs}
+        aliases = {
+            field.name(): ours.get(field.name(), layer.attributeAlias(index))
+            for index, field in enumerate(layer.fields())
+        }
+        loaded, message = layer.importNamedStyle(style_document(self.style, aliases))
+        if not loaded:
+            feedback.pushWarning(message)
 
     def _described(self, metadata):
         """Record in the layer's metadata how it was made: method, parameters, software."""

@@ -154,4 +154,4 @@ def test_a_layer_in_memory_stays_in_memory(write, context, tmp_path, monkeypatch
     ],
 )
 def test_only_plain_files_are_written_elsewhere_first(destination, plain):
-    assert outputs._is_plain_file(destination) is plain
+    assert outputs.is_plain_file(destination) is plain
