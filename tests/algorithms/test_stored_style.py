@@ -113,24 +113,13 @@ def test_algorithms_find_photos_that_moved_with_their_layer(trip, tmp_path, run)
     moved = tmp_path / "moved"
     shutil.copytree(trip, moved)
     layer = loaded(moved / "points.gpkg")
-    with layer_edited(layer):
-        for row in layer.getFeatures():  # the old place is gone
-            layer.changeAttributeValue(
-                row.id(), layer.fields().lookupField("photo"), f"/gone/photos/{Path(row['photo']).name}"
-            )
+    assert layer.startEditing()
+    for row in layer.getFeatures():  # the old place is gone
+        gone = f"/gone/photos/{Path(row['photo']).name}"
+        layer.changeAttributeValue(row.id(), layer.fields().lookupField("photo"), gone)
+    assert layer.commitChanges()
     results, feedback = run("extractskyline", {"INPUT": layer, "OUTPUT": "memory:"})
     assert results["COUNT"] == 2 and feedback.errors == [] and feedback.warnings == []
-
-
-class layer_edited:
-    def __init__(self, layer):
-        self.layer = layer
-
-    def __enter__(self):
-        assert self.layer.startEditing()
-
-    def __exit__(self, *failure):
-        assert self.layer.commitChanges()
 
 
 def test_a_name_alone_counts_only_beside_the_layer(tmp_path):
