@@ -64,7 +64,7 @@ class SkylineViewshedPlugin:
         settings = QgsSettings()
         if not settings.value(GREETED, False, type=bool):
             settings.setValue(GREETED, True)
-            text = tr("Begin with the mountain button in the toolbar, or with Processing > Toolbox > Skyline Viewshed.")
+            text = tr("Begin with the mountain button in the toolbar, or in the Processing toolbox.")
             self.iface.messageBar().pushMessage("Skyline Viewshed", text, Qgis.MessageLevel.Info, 20)
 
     def _begin(self):

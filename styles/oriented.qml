@@ -1040,7 +1040,7 @@
           <Option type="Map">
             <Option name="DefaultRoot" type="QString" value=""/>
             <Option name="DocumentViewer" type="int" value="1"/>
-            <Option name="DocumentViewerHeight" type="int" value="300"/>
+            <Option name="DocumentViewerHeight" type="int" value="220"/>
             <Option name="DocumentViewerWidth" type="int" value="0"/>
             <Option name="FileWidget" type="bool" value="false"/>
             <Option name="FileWidgetButton" type="bool" value="false"/>

@@ -260,7 +260,7 @@ def number_widget(decimals):
 def picture_widget():
     """Build the widget that shows the picture, whose path counts from the folder of the layer's file."""
     root = {"active": True, "expression": FOLDER, "type": 3}
-    viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 300, "DocumentViewerWidth": 0, "FileWidget": False,
+    viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 220, "DocumentViewerWidth": 0, "FileWidget": False,
               "FileWidgetButton": False, "StorageMode": 0, "RelativeStorage": 2, "DefaultRoot": "",
               "PropertyCollection": {"name": None, "properties": {"propertyRootPath": root},
                                      "type": "collection"}}  # fmt: skip

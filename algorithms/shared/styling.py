@@ -11,6 +11,7 @@ from .legends import translate_legend, translated_style
 from .outputs import write_whole
 from .stored_style import STYLES, style_document
 
+RASTERS = (".tif", ".tiff")
 MOST_ALIVE = 200
 _ALIVE = []
 """Post-processors in use. QGIS holds only a C++ pointer; without a Python reference they would be collected."""
@@ -59,7 +60,7 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
 
 
 def style_on_completion(context, identifier, style, title, specs=(), method=""):
-    """Have the layer `identifier` styled, if QGIS is going to load it.
+    """Have the layer `identifier` styled, if QGIS is going to load it; a raster gets its style beside it in any case.
 
     Parameters
     ----------
@@ -72,6 +73,8 @@ def style_on_completion(context, identifier, style, title, specs=(), method=""):
     method : str
         Method that made the layer.
     """
+    if identifier is not None and identifier.lower().endswith(RASTERS) and (STYLES / f"{style}.qml").exists():
+        dress_file(identifier, style)
     if identifier is None or not context.willLoadLayerOnCompletion(identifier):
         return
     styler = LayerStyler(style, tuple(specs), title, method)

@@ -82,9 +82,7 @@ class Answers:
         fitted = np.arange(len(self.trials)) != (-1 if self.hint is None else self.hint)
         at, score = np.mod(self.trials[fitted, 0], 360.0), self.finding.score[fitted]
         around = self.coarse
-        near = [
-            around.score[np.abs(difference(around.heading_deg, heading)) <= RIGHT_DEG].max() for heading in at
-        ]
+        near = [around.score[np.abs(difference(around.heading_deg, heading)) <= RIGHT_DEG].max() for heading in at]
         shift = np.interp(around.heading_deg, at[np.argsort(at)], (score - near)[np.argsort(at)], period=360.0)
         value = np.minimum(around.score + shift, score.max()).astype(float)
         for heading, own in zip(at[::-1], score[::-1]):  # the best one last

@@ -34,7 +34,7 @@ def test_a_button_a_menu_entry_and_one_message_say_where_to_begin(desktop):
         iface.removeToolBarIcon.assert_called_with(button)
         iface.removePluginMenu.assert_called_with("Skyline Viewshed", button)
     (call,) = iface.messageBar.return_value.pushMessage.call_args_list
-    assert "Toolbox" in call.args[1]
+    assert "toolbox" in call.args[1]
 
 
 def test_the_button_opens_the_dialog_that_does_everything(desktop, monkeypatch):
