@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Fotos zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed: Fotos und Höhenmodell wählen und starten</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Beginnen Sie mit der Berg-Schaltfläche in der Werkzeugleiste oder in der Verarbeitungswerkzeugkiste.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Erneut zu orientierende Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Zu aktualisierender Layer</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Aktualisierter Layer</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Orientiert einige Fotos eines Layers erneut, mit ungefährer Blickrichtung oder Landmarken, falls Sie sie angeben, aktualisiert den Layer und berechnet das Gelände neu, das seine Fotos zeigen.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Liest JPEG-Fotos mit Koordinaten durch den QGIS-eigenen Import, orientiert sie und berechnet das Gelände, das sie zeigen.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>Der Layer der orientierten Fotos; wählen Sie die Fotos aus und haken Sie „Nur gewählte Objekte“ an.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>Der Layer, der die neuen Ergebnisse erhält; meist derselbe. Er wird verändert.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Ungefähre geographische Blickrichtung, im Uhrzeigersinn von Nord. Die Antwort muss in ihrer Nähe liegen. NULL: keine.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Punkte der Karte, die in Fotos zu sehen sind, mit den Feldern photo, x und y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modell: georeferenzierte Fotos zu Sichtfeldern</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modell: aufgezeichnete Blickrichtungen zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modell: Fotos erneut orientieren</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -442,6 +519,137 @@
         <translation>Der Punkt nennt kein Foto.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Blickrichtungen exportieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>Foto,Blickrichtung,Export,XMP,Sidecar,KML,KMZ,PhotoOverlay,CSV,Google Earth,Lightroom,digiKam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Blickrichtungen als XMP-Begleitdateien, KML oder KMZ mit den Bildern und CSV-Tabelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Schreibt die Blickrichtungen orientierter Fotos für andere Programme. Die Fotos selbst werden nie verändert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>&lt;b&gt;Begleitdateien&lt;/b&gt; heißen IMG_1.jpg.xmp, wie digiKam, darktable und ExifTool sie lesen, mit GPSImgDirection gegen geographisch Nord. Die Ordner unterhalb des gemeinsamen Ordners der Fotos bleiben erhalten; wählen Sie also diesen gemeinsamen Ordner, damit jede Begleitdatei neben ihrem Foto liegt. Begleitdateien anderer Programme bleiben unberührt. &lt;b&gt;KMZ&lt;/b&gt; enthält verkleinerte Bilder; &lt;b&gt;KML&lt;/b&gt; verweist auf die Originale. Google Earth zeigt jedes Bild an seinem Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Nur Fotos mit dem Status &lt;i&gt;accepted&lt;/i&gt; oder &lt;i&gt;confirmed&lt;/i&gt; oder ohne Status werden exportiert, es sei denn, Sie verlangen auch die zweifelhaften.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>Im Uhrzeigersinn von geographisch Nord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>Auch zweifelhafte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exportiert auch Fotos, deren Blickrichtung nicht verlässlich ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Eine XMP-Datei pro Foto. Wählen Sie den gemeinsamen Ordner der Fotos, damit jede neben ihrem Foto liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Ordner für XMP-Begleitdateien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML oder KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>KMZ-Dateien (*.kmz);;KML-Dateien (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Für Google Earth; KMZ enthält die Bilder.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Eine Zeile pro Foto, für Tabellenprogramme.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Anzahl ausgelassener Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Wählen Sie mindestens eine Ausgabe: den Ordner für Begleitdateien, die KML-Datei oder die Tabelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Kein Foto des Layers hat eine Blickrichtung, die sich exportieren lässt. Orientieren Sie die Fotos zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} Blickrichtungen exportiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>ausgelassen, weil keine Blickrichtung bekannt ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>ausgelassen, weil der Status {status} ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>unverändert, weil ein anderes Programm {path} geschrieben hat.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Horizontlinie ausziehen</translation>
@@ -509,6 +717,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -688,16 +897,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Tabelle der Dateien, die keinen Punkt ergeben haben, mit dem Grund.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Anzahl der Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1056,6 +1255,116 @@
         <translation>Mittlere Höhenwinkelabweichung mit Vorzeichen (°)</translation>
     </message>
     <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Orientierte Fotos zusammenführen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>Foto,Blickrichtung,aktualisieren,zusammenführen,Rettung,erneut,mehrdeutig,abgelehnt,verbinden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Aktualisiert einen Layer orientierter Fotos mit erneut orientierten Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Wenn einige Fotos mit einem Hinweis oder einer Landmarke erneut orientiert wurden, kommen ihre Ergebnisse hiermit in den Layer, aus dem sie stammen. Fotos werden an ihrem Pfad erkannt; alle anderen Fotos, alle übrigen Felder und die Positionen der Punkte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>Der Layer selbst wird verändert. Wird er gerade bearbeitet, kommen die Änderungen zu Ihren ungespeicherten hinzu und lassen sich rückgängig machen. Führen Sie danach &lt;i&gt;Gerichtetes Sichtfeld&lt;/i&gt; mit ihm aus, um das sichtbare Gelände zu erneuern, oder verwenden Sie &lt;i&gt;Modell: Fotos erneut orientieren&lt;/i&gt;, das alle drei Schritte ausführt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Orientierte Fotos eines früheren Laufs. Dieser Layer wird verändert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Erneut orientierte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>Die Ausgabe von „Fotos orientieren“ für einige Fotos dieses Layers.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Besseren Status behalten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Ein Foto, dessen neuer Status schlechter ist als der bisherige, behält sein bisheriges Ergebnis.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Anzahl aktualisierter Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Anzahl der Fotos, die einen besseren Status behalten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Anzahl der Fotos, die der Layer nicht hat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} lässt sich nicht verändern. Speichern Sie den Layer zuerst als GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} hat kein Feld {field}. Wählen Sie einen Layer orientierter Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name}: Der Layer hat dieses Foto nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name}: bleibt {before}; das neue Ergebnis ist {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} Fotos aktualisiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} kommt mehrfach vor; der beste Status wird verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} lässt sich jetzt nicht verändern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>ein Wert passt nicht in sein Feld</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} wurde nicht verändert: {reason}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Fotos orientieren</translation>
@@ -1297,11 +1606,6 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>Das Gebiet ist leer oder liegt außerhalb des Bereichs, für den das KBS des DGM gültig ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>Fotos zu Sichtfeldern</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1786,6 +2090,24 @@
         <translation>1 (freier Himmel)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
@@ -2133,6 +2455,11 @@
         <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>ja</translation>
@@ -2144,16 +2471,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Ungefähre geographische Blickrichtung, im Uhrzeigersinn von Nord. Die Antwort muss in ihrer Nähe liegen. NULL: keine.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Feld mit der Toleranz dieser Blickrichtung (°)</translation>
     </message>
@@ -2161,11 +2478,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Wie weit die Blickrichtung von der ungefähren abweichen darf. NULL: 20 Grad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Landmarken</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2211,6 +2523,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Ordner für eine Abbildung je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name}: {verdict}, Blickrichtung {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source> and {count} more</source>
+        <translation> und {count} weitere</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Prüfen Sie diese Fotos ({verdict}): {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>noch etwa {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>noch etwa {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>noch etwa {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2297,6 +2639,16 @@
         <location filename="../algorithms/shared/skyline_limits.py"/>
         <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
         <translation>Die Tabelle der Horizontlinien enthält dieses Foto nicht, daher wird kein Gelände ausgeschlossen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Stil des Plugins Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Weitere Felder</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2921,12 +3273,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>Der Ortslayer ist leer oder liegt außerhalb des Bereichs, für den das KBS des DGM gültig ist.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Ort</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3901,11 +4247,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Lage</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Zuordnung</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

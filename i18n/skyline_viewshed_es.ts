@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>De fotos a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed: elegir fotos y un modelo de elevación, y ejecutar</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Empiece con el botón de la montaña de la barra de herramientas, o en la caja de herramientas de procesos.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Fotos que se orientan de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Capa que se actualiza</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Campo con un rumbo aproximado (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Capa actualizada</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Orienta de nuevo algunas fotos de una capa, con un rumbo aproximado o puntos de referencia si los indica, actualiza la capa y vuelve a calcular el terreno que muestran sus fotos.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Lee fotografías JPEG georreferenciadas con el importador propio de QGIS, las orienta y calcula el terreno que muestran.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>La capa de fotos orientadas; seleccione las fotos y marque la casilla de objetos seleccionados.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>La capa que recibe los nuevos resultados; normalmente la misma. Se modifica.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Rumbo geográfico aproximado, en sentido horario desde el norte. La respuesta debe estar cerca de él. NULL: ninguno.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Puntos del mapa visibles en las fotos, con los campos photo, x e y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modelo: de fotos georreferenciadas a cuencas visuales</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modelo: de rumbos registrados a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modelo: orientar fotos de nuevo</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -442,6 +519,137 @@
         <translation>El punto no nombra ninguna foto.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Exportar rumbos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>foto,rumbo,exportar,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Rumbos como archivos XMP adjuntos, KML o KMZ con las imágenes y una tabla CSV</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Escribe los rumbos de fotos orientadas para otros programas. Las fotos mismas no se modifican nunca.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>Los &lt;b&gt;archivos adjuntos&lt;/b&gt; se llaman IMG_1.jpg.xmp, como los leen digiKam, darktable y ExifTool, con GPSImgDirection respecto al norte verdadero. Se conservan las carpetas que hay debajo de la carpeta común de las fotos; elija esa carpeta común para tener cada archivo junto a su foto. Los archivos de otros programas no se tocan. &lt;b&gt;KMZ&lt;/b&gt; contiene imágenes reducidas; &lt;b&gt;KML&lt;/b&gt; remite a los originales. Google Earth muestra cada imagen en su sitio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Solo se exportan fotos con el estado &lt;i&gt;accepted&lt;/i&gt; o &lt;i&gt;confirmed&lt;/i&gt;, o sin estado, salvo que pida también las dudosas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>En sentido horario desde el norte verdadero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>También fotos dudosas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exporta también fotos cuyo rumbo no es fiable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Un archivo XMP por foto. Elija la carpeta común de las fotos para tener cada uno junto a su foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Carpeta para archivos XMP adjuntos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML o KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>Archivos KMZ (*.kmz);;Archivos KML (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Para Google Earth; KMZ contiene las imágenes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>Archivos CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Una línea por foto, para hojas de cálculo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Número de fotos omitidas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Elija al menos una salida: la carpeta de archivos adjuntos, el archivo KML o la tabla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Ninguna foto de la capa tiene un rumbo que se pueda exportar. Oriente primero las fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} rumbos exportados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>omitida, porque no tiene rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>omitida, porque su estado es {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>sin cambios, porque otro programa escribió {path}.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Extraer la línea del horizonte</translation>
@@ -509,6 +717,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -688,16 +897,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Tabla de los archivos que no produjeron ningún punto, con el motivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Número de fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1056,6 +1255,116 @@
         <translation>Desviación media con signo en elevación (°)</translation>
     </message>
     <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Combinar fotos orientadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>foto,rumbo,actualizar,combinar,rescate,de nuevo,ambiguo,rechazado,unir</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Actualiza una capa de fotos orientadas con fotos orientadas de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Cuando algunas fotos se han orientado de nuevo, con una pista o un punto de referencia, esto lleva sus resultados a la capa de la que proceden. Las fotos se reconocen por su ruta; las demás fotos, los demás campos y las posiciones de los puntos quedan como están.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>La capa misma se modifica. Si se está editando, los cambios se suman a los suyos no guardados y se pueden deshacer. Ejecute después &lt;i&gt;Cuenca visual dirigida&lt;/i&gt; con ella para renovar el terreno visible, o use &lt;i&gt;Modelo: orientar fotos de nuevo&lt;/i&gt;, que hace los tres pasos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Fotos orientadas de una ejecución anterior. Esta capa se modifica.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Fotos orientadas de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>La salida de «Orientar fotos» para algunas fotos de esa capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Conservar un estado mejor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Una foto cuyo nuevo estado es peor que el actual conserva su resultado actual.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Número de fotos actualizadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Número de fotos que conservan un estado mejor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Número de fotos que la capa no tiene</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} no se puede modificar. Guárdela antes como GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} no tiene el campo {field}. Elija una capa de fotos orientadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name}: la capa no tiene esta foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name}: sigue {before}; el nuevo resultado es {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} fotos actualizadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} aparece más de una vez; se usa su mejor estado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} no se puede modificar ahora.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>un valor no cabe en su campo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} no se modificó: {reason}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Orientar fotos</translation>
@@ -1297,11 +1606,6 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>El área está vacía o se halla fuera de la región en la que es válido el SRC del MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>De fotos a cuencas visuales</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1786,6 +2090,24 @@
         <translation>1 (cielo abierto)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
@@ -2133,6 +2455,11 @@
         <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>sí</translation>
@@ -2144,16 +2471,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Campo con un rumbo aproximado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Rumbo geográfico aproximado, en sentido horario desde el norte. La respuesta debe estar cerca de él. NULL: ninguno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Campo con la tolerancia de ese rumbo (°)</translation>
     </message>
@@ -2161,11 +2478,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Cuánto puede apartarse el rumbo del aproximado. NULL: 20 grados.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2211,6 +2523,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Carpeta para una figura por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name}: {verdict}, rumbo {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source> and {count} more</source>
+        <translation> y {count} más</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Revise estas fotos ({verdict}): {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>quedan unos {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>quedan unos {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>quedan unas {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2297,6 +2639,16 @@
         <location filename="../algorithms/shared/skyline_limits.py"/>
         <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
         <translation>La tabla de líneas del horizonte no contiene esta foto, por lo que no se excluye ningún terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Estilo del complemento Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Otros campos</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2921,12 +3273,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>La capa de lugares está vacía o se halla fuera de la región en la que es válido el SRC del MDE.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lugar</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3901,11 +4247,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Ajuste</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

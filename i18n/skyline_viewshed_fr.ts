@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Des photos aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed : choisir des photos et un modèle d'élévation, puis exécuter</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Commencez par le bouton montagne de la barre d'outils, ou dans la boîte à outils de traitements.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Photos à orienter de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Couche à mettre à jour</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Champ d'un azimut approché (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Points de repère</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Couche mise à jour</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Oriente de nouveau quelques photos d'une couche, avec un cap approximatif ou des repères si vous en donnez, met à jour la couche et recalcule le terrain que montrent ses photos.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Lit des photos JPEG géolocalisées avec l'import de QGIS, les oriente et calcule le terrain qu'elles montrent.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>La couche des photos orientées ; sélectionnez les photos et cochez la case des entités sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>La couche qui reçoit les nouveaux résultats ; en général la même. Elle est modifiée.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Azimut géographique approché, dans le sens horaire depuis le nord. La réponse doit se trouver à proximité. NULL : aucun.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Points de la carte visibles sur les photos, avec les champs photo, x et y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modèle : des photos géolocalisées aux bassins visuels</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modèle : des azimuts enregistrés aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modèle : orienter de nouveau des photos</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -442,6 +519,137 @@
         <translation>Le point ne désigne aucune photo.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Exporter les caps</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>photo,cap,exporter,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Caps en fichiers XMP annexes, KML ou KMZ avec les images, et un tableau CSV</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Écrit les caps de photos orientées pour d'autres programmes. Les photos elles-mêmes ne sont jamais modifiées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>Les &lt;b&gt;fichiers annexes&lt;/b&gt; s'appellent IMG_1.jpg.xmp, comme les lisent digiKam, darktable et ExifTool, avec GPSImgDirection par rapport au nord géographique. Les dossiers situés sous le dossier commun des photos sont conservés ; choisissez donc ce dossier commun pour avoir chaque fichier à côté de sa photo. Les fichiers d'autres programmes ne sont pas touchés. &lt;b&gt;KMZ&lt;/b&gt; contient des images réduites ; &lt;b&gt;KML&lt;/b&gt; renvoie aux originaux. Google Earth montre chaque image à sa place.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Seules les photos au statut &lt;i&gt;accepted&lt;/i&gt; ou &lt;i&gt;confirmed&lt;/i&gt;, ou sans statut, sont exportées, sauf si vous demandez aussi les douteuses.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>Dans le sens horaire depuis le nord géographique.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>Photos douteuses aussi</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exporte aussi les photos dont le cap n'est pas fiable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Un fichier XMP par photo. Choisissez le dossier commun des photos pour avoir chacun à côté de sa photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Dossier des fichiers XMP annexes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML ou KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>Fichiers KMZ (*.kmz);;Fichiers KML (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Pour Google Earth ; KMZ contient les images.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>Fichiers CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Une ligne par photo, pour les tableurs.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Nombre de photos écartées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Choisissez au moins une sortie : le dossier des fichiers annexes, le fichier KML ou le tableau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Aucune photo de la couche n'a de cap exportable. Orientez d'abord les photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} caps exportés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>écartée, car elle n'a pas de cap.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>écartée, car son statut est {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>inchangé, car un autre programme a écrit {path}.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Extraire la ligne d'horizon</translation>
@@ -509,6 +717,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -688,16 +897,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Table des fichiers qui n'ont produit aucun point, avec la raison.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Nombre de photos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1056,6 +1255,116 @@
         <translation>Écart moyen signé en hauteur (°)</translation>
     </message>
     <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Fusionner des photos orientées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>photo,cap,mettre à jour,fusionner,sauvetage,de nouveau,ambigu,rejeté,joindre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Met à jour une couche de photos orientées avec des photos orientées de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Quand quelques photos ont été orientées de nouveau, avec un indice ou un repère, ceci reporte leurs résultats dans la couche d'où elles viennent. Les photos sont reconnues par leur chemin ; toutes les autres, tous les autres champs et les positions des points restent tels quels.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>La couche elle-même est modifiée. Si elle est en cours d'édition, les changements s'ajoutent aux vôtres non enregistrés et peuvent être annulés. Exécutez ensuite &lt;i&gt;Bassin visuel dirigé&lt;/i&gt; sur elle pour renouveler le terrain visible, ou utilisez &lt;i&gt;Modèle : orienter de nouveau des photos&lt;/i&gt;, qui fait les trois étapes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Photos orientées d'une exécution antérieure. Cette couche est modifiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Photos orientées de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>La sortie de « Orienter des photos » pour quelques photos de cette couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Garder un meilleur statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Une photo dont le nouveau statut est moins bon que l'actuel garde son résultat actuel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Nombre de photos mises à jour</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Nombre de photos qui gardent un meilleur statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Nombre de photos que la couche n'a pas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} ne peut pas être modifiée. Enregistrez-la d'abord en GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} n'a pas de champ {field}. Choisissez une couche de photos orientées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name} : la couche n'a pas cette photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name} : reste {before} ; le nouveau résultat est {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} photos mises à jour.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} apparaît plusieurs fois ; son meilleur statut est utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} ne peut pas être modifiée maintenant.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>une valeur ne convient pas à son champ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} n'a pas été modifiée : {reason}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/orient_photos.py"/>
         <source>Orient photos</source>
         <translation>Orienter des photos</translation>
@@ -1297,11 +1606,6 @@
         <location filename="../algorithms/photo_coverage.py"/>
         <source>The area is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>La zone est vide, ou se trouve hors de la région pour laquelle le SCR du MNT est valable.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>Des photos aux bassins visuels</translation>
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -1786,6 +2090,24 @@
         <translation>1 (ciel dégagé)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Appariement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
@@ -2133,6 +2455,11 @@
         <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>oui</translation>
@@ -2144,16 +2471,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Champ d'un azimut approché (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Azimut géographique approché, dans le sens horaire depuis le nord. La réponse doit se trouver à proximité. NULL : aucun.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Champ de la tolérance de cet azimut (°)</translation>
     </message>
@@ -2161,11 +2478,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>De combien l'azimut peut s'écarter de l'approché. NULL : 20 degrés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Points de repère</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2211,6 +2523,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Dossier pour une figure par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name} : {verdict}, cap {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source> and {count} more</source>
+        <translation> et {count} autres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Vérifiez ces photos ({verdict}) : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>encore environ {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>encore environ {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>encore environ {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2297,6 +2639,16 @@
         <location filename="../algorithms/shared/skyline_limits.py"/>
         <source>The table of skylines does not contain this photo, so no ground is excluded.</source>
         <translation>La table des lignes d'horizon ne contient pas cette photo ; aucun terrain n'est donc exclu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Style de l'extension Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Autres champs</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2921,12 +3273,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>The places layer is empty, or lies outside the region for which the DEM's CRS is valid.</source>
         <translation>La couche de lieux est vide, ou se trouve hors de la région pour laquelle le SCR du MNT est valable.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lieu</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -3901,11 +4247,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Appariement</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

@@ -25,7 +25,7 @@ def desktop(qgis_app, qgis_processing):
 
 def test_a_button_a_menu_entry_and_one_message_say_where_to_begin(desktop):
     iface, plugin = desktop
-    for start in range(2):
+    for _ in range(2):
         plugin.initGui()
         (button,) = iface.addToolBarIcon.call_args.args
         assert button.text() == "Photos to viewsheds" and not button.icon().isNull()
