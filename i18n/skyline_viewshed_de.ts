@@ -2531,8 +2531,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>
-        <source> and {count} more</source>
-        <translation> und {count} weitere</translation>
+        <source>{names} and {count} more</source>
+        <translation>{names} und {count} weitere</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>

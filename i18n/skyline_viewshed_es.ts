@@ -2531,8 +2531,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>
-        <source> and {count} more</source>
-        <translation> y {count} más</translation>
+        <source>{names} and {count} more</source>
+        <translation>{names} y {count} más</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>

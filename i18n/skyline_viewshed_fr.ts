@@ -2531,8 +2531,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>
-        <source> and {count} more</source>
-        <translation> et {count} autres</translation>
+        <source>{names} and {count} more</source>
+        <translation>{names} et {count} autres</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/run_log.py"/>

@@ -34,12 +34,11 @@ ENTRIES = (
     mark("seen, 10 m to spare"),
     mark("seen, 100 m or more to spare"),
     mark("1 (open sky)"),
-    mark("Answer"),
-    mark("Match"),
-    mark("Photo"),
-    mark("Place"),
 )
-"""The legends of the files in `styles/`, and the tabs of their forms; numbers and units need no translation."""
+"""The legend texts of the files in `styles/`; numbers and units need no translation."""
+
+TABS = (mark("Answer"), mark("Match"), mark("Photo"), mark("Place"))
+"""The tabs of their forms."""
 
 
 def translate_legend(layer):

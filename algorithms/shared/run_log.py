@@ -55,7 +55,7 @@ class RunLog:
         for verdict, names in self._doubtful.items():
             listed = ", ".join(names[:MOST_NAMED])
             if len(names) > MOST_NAMED:
-                listed += tr(" and {count} more").format(count=len(names) - MOST_NAMED)
+                listed = tr("{names} and {count} more").format(names=listed, count=len(names) - MOST_NAMED)
             self.feedback.pushInfo(tr("Check these photos ({verdict}): {names}").format(verdict=verdict, names=listed))
 
 
