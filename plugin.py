@@ -69,7 +69,7 @@ class SkylineViewshedPlugin:
 
     def _begin(self):
         """Open the dialog of the algorithm that does everything."""
-        import processing
+        from qgis import processing
 
         self.dialog = processing.createAlgorithmDialog("skylineviewshed:photoviewshed", {})
         self.dialog.show()

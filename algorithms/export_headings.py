@@ -165,7 +165,8 @@ class ExportHeadings(SkylineAlgorithm):
 
         if path.suffix.lower() != ".kmz":
             return kml_text(shots, [_address(shot.photo, path.absolute().parent) for shot in shots], path.stem)
-        progress, pictures, taken = FeedbackProgress(feedback), [], set()
+        taken: set = set()
+        progress, pictures = FeedbackProgress(feedback), []
         for index, shot in enumerate(shots):
             checkpoint(progress, index / len(shots))
             name = f"files/{unused(Path(shot.photo).stem, taken)}.jpg"

@@ -133,7 +133,7 @@ class MergeOriented(SkylineAlgorithm):
 
     def _solved(self, source, column, feedback):
         """New answers by photograph; of several for one photograph, the one of the best status."""
-        found = {}
+        found: dict = {}
         for feature in source.getFeatures():
             if is_null(feature[column]):
                 continue
@@ -176,7 +176,7 @@ def _short(path):
 
 def _places(layer, column):
     """Features of the layer by photograph."""
-    places = {}
+    places: dict = {}
     for feature in layer.getFeatures():
         if not is_null(feature[column]):
             places.setdefault(_key(feature[column]), []).append(feature)
