@@ -158,15 +158,12 @@ def test_no_algorithm_has_a_new_mandatory_parameter(provider):
 
 def test_an_optional_parameter_without_a_value_has_its_default(provider):
     context, seen = QgsProcessingContext(), 0
+    advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     for algorithm in provider.algorithms():
         readers = {"number": "parameterAsDouble", "distance": "parameterAsDouble", "boolean": "parameterAsBoolean"}
         readers.update(enum="parameterAsEnum", band="parameterAsInt")
         for it in algorithm.parameterDefinitions():
-            if (
-                not (it.flags() & QgsProcessingParameterDefinition.Flag.FlagAdvanced)
-                or it.isDestination()
-                or it.defaultValue() is None
-            ):
+            if not (it.flags() & advanced) or it.isDestination() or it.defaultValue() is None:
                 continue
             read = getattr(algorithm, readers.get(it.type(), "parameterAsString"))
             for given in ({}, {it.name(): None}):

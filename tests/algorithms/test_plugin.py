@@ -11,15 +11,17 @@ pytestmark = pytest.mark.qgis
 
 
 @pytest.fixture
-def desktop(qgis_app, qgis_processing):
-    """The plugin in a desktop that records what it is asked for."""
+def desktop(provider, monkeypatch):
+    """The plugin in a desktop that records what it is asked for; the provider is that of the whole session."""
     from skyline_viewshed import classFactory
     from skyline_viewshed.plugin import GREETED
 
     QgsSettings().remove(GREETED)
     iface = MagicMock()
     iface.mainWindow.return_value = None
-    yield iface, classFactory(iface)
+    plugin = classFactory(iface)
+    monkeypatch.setattr(plugin, "initProcessing", lambda: setattr(plugin, "provider", provider))
+    yield iface, plugin
     QgsSettings().remove(GREETED)
 
 
@@ -30,6 +32,7 @@ def test_a_button_a_menu_entry_and_one_message_say_where_to_begin(desktop):
         (button,) = iface.addToolBarIcon.call_args.args
         assert button.text() == "Photos to viewsheds" and not button.icon().isNull()
         assert iface.addPluginToMenu.call_args.args == ("Skyline Viewshed", button)
+        plugin.provider = None
         plugin.unload()
         iface.removeToolBarIcon.assert_called_with(button)
         iface.removePluginMenu.assert_called_with("Skyline Viewshed", button)
@@ -47,13 +50,5 @@ def test_the_button_opens_the_dialog_that_does_everything(desktop, monkeypatch):
     plugin.start.trigger()
     assert opened.call_args.args[0] == "skylineviewshed:photoviewshed"
     opened.return_value.show.assert_called_once()
-    plugin.unload()
-
-
-def test_without_a_desktop_there_is_only_the_provider(qgis_app, qgis_processing):
-    from skyline_viewshed import classFactory
-
-    plugin = classFactory(None)
-    plugin.initProcessing()
-    assert plugin.start is None
+    plugin.provider = None
     plugin.unload()
