@@ -41,7 +41,7 @@ def test_a_button_a_menu_entry_and_one_message_say_where_to_begin(desktop):
 
 
 def test_the_button_opens_the_dialog_that_does_everything(desktop, monkeypatch):
-    import processing
+    from qgis import processing
 
     _, plugin = desktop
     opened = MagicMock()
