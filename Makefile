@@ -34,6 +34,10 @@ link: ## Make build/plugins/skyline_viewshed, the one name under which the packa
 demo: setup ## Run the main job on a simulated sample, or on PHOTOS=folder DEM=raster; result in build/demo
 	@PHOTOS="$(PHOTOS)" DEM="$(DEM)" tools/demo.sh
 
+.PHONY: sample
+sample: setup ## Make build/skyline_viewshed_sample.zip (below 5 MB): photos and DEM to try the plugin with
+	@$(PYTHON) tools/make_sample.py build/sample --zip build/skyline_viewshed_sample.zip
+
 .PHONY: test
 test: setup ## Run all tests
 	@$(PYTHON) -m pytest $(PYTEST_ARGS)

@@ -135,6 +135,7 @@ class HorizonProfile(DemAlgorithm):
                 QgsWkbTypes.Type.Point,
                 source.sourceCrs(),
                 features,
+                style="horizon",
             )
         style_on_completion(context, output, "horizon", tr("Horizon"), specs, self.displayName())
         outputs = {"OUTPUT": output, "COUNT": count, **report.outputs()}

@@ -22,6 +22,7 @@ from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.i18n import in_users_language, tr
 from .shared.outputs import write_features
 from .shared.photo_attributes import attributes_of, photos_in, point_of
+from .shared.previews import Previews, preview_specs
 from .shared.styling import style_on_completion
 
 
@@ -94,12 +95,13 @@ class ImportPhotos(SkylineAlgorithm):
         """Read each file, then write both layers."""
         folder = self.parameterAsFile(parameters, "FOLDER", context)
         paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
-        taken, rejected = read_all(paths, feedback)
         wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
         specs = fields.photo_specs()
-        output = write_features(
-            self, parameters, "OUTPUT", context, fields.qgis_fields(specs), QgsWkbTypes.Type.PointZ, wgs84, taken
-        )
+        with Previews(parameters, context) as previews:
+            taken, rejected = read_all(paths, feedback, previews)
+            count, kind = len(taken), (QgsWkbTypes.Type.PointZ, wgs84)
+            columns, taken = previews.column(fields.qgis_fields(specs), taken)
+            output = write_features(self, parameters, "OUTPUT", context, columns, *kind, taken, style="photos")
         refused = write_features(
             self,
             parameters,
@@ -110,15 +112,18 @@ class ImportPhotos(SkylineAlgorithm):
             QgsCoordinateReferenceSystem(),
             rejected,
         )
-        style_on_completion(context, output, "photos", tr("Photos"), specs, self.displayName())
-        results = {"OUTPUT": output, "COUNT": len(taken), "REJECTED_COUNT": len(rejected)}
+        style_on_completion(context, output, "photos", tr("Photos"), specs + preview_specs(), self.displayName())
+        results = {"OUTPUT": output, "COUNT": count, "REJECTED_COUNT": len(rejected)}
         if refused is not None:
             results["REJECTED"] = refused
         return results
 
 
-def read_all(paths, feedback):
-    """Read the metadata of all paths: rows of photographs with a position, and rows of rejected ones."""
+def read_all(paths, feedback, previews):
+    """Read the metadata of all paths: rows of photographs with a position, and rows of rejected ones.
+
+    `previews` takes the photographs with a position.
+    """
     from ..core.io.photo import read_metadata
 
     progress = FeedbackProgress(feedback)
@@ -135,6 +140,7 @@ def read_all(paths, feedback):
             for note in metadata.notes:
                 warn(feedback, path.name, note)
             taken.append((point_of(metadata), attributes_of(metadata)))
+            previews.add(path)
         else:
             feedback.reportError(f"{path.name}: {reason}", False)
             rejected.append((None, [str(path), path.stem, str(path.parent), reason]))

@@ -91,7 +91,7 @@ class LabelPeaks(DemAlgorithm):
         specs = peak_specs()
         crs = self.dem.crs or QgsCoordinateReferenceSystem()
         output = write_features(
-            self, parameters, "OUTPUT", context, qgis_fields(specs), QgsWkbTypes.Type.PointZ, crs, rows
+            self, parameters, "OUTPUT", context, qgis_fields(specs), QgsWkbTypes.Type.PointZ, crs, rows, style="peaks"
         )
         style_on_completion(context, output, "peaks", tr("Summits in photos"), specs, self.displayName())
         results = {"OUTPUT": output, "COUNT": len(rows), "VISIBLE_COUNT": visible}

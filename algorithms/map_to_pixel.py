@@ -139,7 +139,9 @@ class MapToPixel(DemAlgorithm):
             if parameters.get(name) is None:
                 continue
             nowhere = QgsCoordinateReferenceSystem()
-            written = write_features(self, parameters, name, context, qgis_fields(specs), kind, nowhere, rows)
+            written = write_features(
+                self, parameters, name, context, qgis_fields(specs), kind, nowhere, rows, style=style
+            )
             if written is not None:
                 style_on_completion(context, written, style, title, specs, self.displayName())
                 results[name] = written

@@ -27,6 +27,7 @@ from .shared.orientation import (
 from .shared.oriented import oriented_specs
 from .shared.outputs import rehearse, write_features
 from .shared.placing import Placing
+from .shared.previews import Previews, preview_specs
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
@@ -107,17 +108,20 @@ class OrientPhotos(DemAlgorithm):
         placing = Placing(source.wkbType(), source.sourceCrs(), context)
         features, statuses = [], []
         folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
-        with PhotoReport(self, parameters, context, len(rows)) as report:
+        report = PhotoReport(self, parameters, context, len(rows))
+        with report, Previews(parameters, context) as previews:
             oriented_photos = orient_each(requests, self.dem.open(), options, feedback, folder, (0.0, 0.95))
             for row, oriented in zip(rows, oriented_photos):
                 place = placing.of(row, oriented)
                 features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
                 report.add(oriented)
+                previews.add(row.path, oriented.preview)
             feedback.pushInfo(summary(statuses))
-            output = write_features(
-                self, parameters, "OUTPUT", context, fields, source.wkbType(), source.sourceCrs(), features
-            )
-        style_on_completion(context, output, "oriented", tr("Oriented photos"), oriented_specs(), self.displayName())
+            fields, features = previews.column(fields, features)
+            kind = source.wkbType(), source.sourceCrs()
+            output = write_features(self, parameters, "OUTPUT", context, fields, *kind, features, style="oriented")
+        specs = oriented_specs() + preview_specs()
+        style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         results = {"OUTPUT": output, "COUNT": len(statuses), "ACCEPTED": statuses.count("accepted")}
         return {**results, **report.outputs(), **({"ORIENTATIONS": folder} if folder else {})}

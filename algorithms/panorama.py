@@ -142,6 +142,7 @@ class Panorama(DemAlgorithm):
                 QgsWkbTypes.Type.LineString,
                 self.dem.crs,
                 ridges,
+                style="ridges",
             )
             style_on_completion(context, results["OUTPUT"], "ridges", tr("Ridges in view"), specs, self.displayName())
         return results

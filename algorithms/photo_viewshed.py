@@ -29,6 +29,7 @@ from .shared.oriented import oriented_specs
 from .shared.outputs import rehearse, write_features
 from .shared.photo_points import oriented_point
 from .shared.placing import Placing
+from .shared.previews import Previews, preview_specs
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.result_figures import ResultFigures, figures_out, stations_of
@@ -180,7 +181,8 @@ class PhotoViewshed(DemAlgorithm):
         # Evaluated once: each evaluation of a temporary folder returns a different one.
         names = ("RASTERS", "FIGURES", "ORIENTATIONS")
         folders = {name: self.parameterAsString(parameters, name, context) for name in names}
-        with PhotoReport(self, parameters, context, len(photos.rows)) as report:
+        report = PhotoReport(self, parameters, context, len(photos.rows))
+        with report, Previews(parameters, context) as previews:
             viewer = self._viewer(parameters, context, dem, feedback, folders["RASTERS"])
             extras = Extras(viewer, extra_options(self, parameters, context), feedback)
             view = self._view_of(parameters, context, viewer, options.method, len(photos.rows))
@@ -192,6 +194,7 @@ class PhotoViewshed(DemAlgorithm):
                 place = placing.of(row, oriented)
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
+                previews.add(row.path, oriented.preview)
                 point = oriented_point(row, oriented, extras.options.uncertainty)
                 point = self._limited(parameters, context, point, oriented)
                 viewshed = view(point, oriented.orientation.status, len(statuses) - 1)
@@ -204,10 +207,11 @@ class PhotoViewshed(DemAlgorithm):
             feedback.pushInfo(summary(statuses))
             if not self._doubtful(parameters, context, options.method):
                 tell_withheld(feedback, statuses, len(ground.rows))
-            outputs = self._write(parameters, context, feedback, photos, features, ground)
+            written = previews.column(photos.fields, features)
+            outputs = self._write(parameters, context, feedback, photos, written, ground)
         counts = {"COUNT": len(statuses), "ACCEPTED": statuses.count("accepted"), "VIEWSHEDS": len(ground.rows)}
-        written = {name: folder for name, folder in folders.items() if folder}
-        return {**outputs, **written, **extras.folders, **counts, **report.outputs()}
+        folders = {name: folder for name, folder in folders.items() if folder}
+        return {**outputs, **folders, **extras.folders, **counts, **report.outputs()}
 
     def _viewer(self, parameters, context, dem, feedback, folder):
         kind = shared.SECTORS[self.parameterAsEnum(parameters, "SECTOR", context)]
@@ -236,12 +240,12 @@ class PhotoViewshed(DemAlgorithm):
 
         return view
 
-    def _write(self, parameters, context, feedback, photos, features, ground):
+    def _write(self, parameters, context, feedback, photos, table, ground):
         viewshed = ground.write_count(self, parameters, "VIEWSHED", context, feedback)
         polygons = ground.write_polygons(self, parameters, "POLYGONS", context, self.dem.crs)
-        output = write_features(
-            self, parameters, "OUTPUT", context, photos.fields, photos.wkb_type, photos.crs, features
-        )
-        specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs()
+        fields, rows = table
+        kind = photos.wkb_type, photos.crs
+        output = write_features(self, parameters, "OUTPUT", context, fields, *kind, rows, style="oriented")
+        specs = (photo_specs() if is_null(parameters.get("INPUT")) else []) + oriented_specs() + preview_specs()
         style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         return {"OUTPUT": output, "POLYGONS": polygons, "VIEWSHED": viewshed}

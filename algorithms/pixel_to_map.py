@@ -167,7 +167,9 @@ class PixelToMap(DemAlgorithm):
         ):
             if name != "OUTPUT" and parameters.get(name) is None:
                 continue
-            written = write_features(self, parameters, name, context, qgis_fields(specs), kind, self.dem.crs, rows)
+            written = write_features(
+                self, parameters, name, context, qgis_fields(specs), kind, self.dem.crs, rows, style=style
+            )
             if written is not None:
                 style_on_completion(context, written, style, title, specs, self.displayName())
                 results[name] = written

@@ -140,7 +140,15 @@ class WhichPhotos(DemAlgorithm):
         rows = [row for place, shown in sorted(found.items()) for row in ranked(places[place], shown)]
         specs, nowhere = which_specs(), QgsCoordinateReferenceSystem()
         output = write_features(
-            self, parameters, "OUTPUT", context, qgis_fields(specs), QgsWkbTypes.Type.NoGeometry, nowhere, rows
+            self,
+            parameters,
+            "OUTPUT",
+            context,
+            qgis_fields(specs),
+            QgsWkbTypes.Type.NoGeometry,
+            nowhere,
+            rows,
+            style="which_photos",
         )
         style_on_completion(context, output, "which_photos", tr("Photos of places"), specs, self.displayName())
         return {"OUTPUT": output, "COUNT": len(rows), "UNSEEN": len(places) - len(found)}

@@ -24,6 +24,15 @@ TEXTS = (
     mark("Ground in view"),
     mark("Land cover in view"),
     mark("Report"),
+    mark("Photos to orient again"),
+    mark("Layer to update"),
+    mark("Field with an approximate heading (°)"),
+    mark("Landmarks"),
+    mark("Updated layer"),
+    mark(
+        "Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, "
+        "updates the layer, and computes anew the ground that its photographs show."
+    ),
     mark("Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show."),
     mark(
         "Uses the headings that the cameras recorded, and computes the ground within the horizontal field of "
@@ -49,6 +58,10 @@ def tooltips():
         "POLYGONS": tr("One multipolygon per photograph, with the area seen (m²) and the farthest distance (m)."),
         "LAND_COVER": tr("Ground in view, with the number of cells of each class in fields class_1, class_2, ..."),
         "REPORT": shared.report_out().help(),
+        "AGAIN": tr("The layer of oriented photos; select the photos and tick the box for selected features."),
+        "LAYER": tr("The layer that gets the new answers; usually the same one. It is changed."),
+        "NEAR": tr("Approximate true heading, clockwise from north. The answer must be near it. NULL: none."),
+        "LANDMARKS": tr("Points on the map that are visible in photographs, with the fields photo, x and y."),
     }
 
 
@@ -93,6 +106,7 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         titles = {
             "geotaggedphotos": tr("Model: geotagged photos to viewsheds"),
             "compassviewsheds": tr("Model: recorded headings to viewsheds"),
+            "orientagain": tr("Model: orient photos again"),
             "viewshedlandcover": tr("Model: land cover that photos show"),
         }
         return titles.get(self.name(), self.name())

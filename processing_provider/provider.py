@@ -20,6 +20,8 @@ ALGORITHMS = (
     ("extract_skyline", "ExtractSkyline"),
     ("horizon_profile", "HorizonProfile"),
     ("orient_photos", "OrientPhotos"),
+    ("merge_oriented", "MergeOriented"),
+    ("export_headings", "ExportHeadings"),
     ("directed_viewshed", "DirectedViewshed"),
     ("measure_offsets", "MeasureOffsets"),
     ("simulate_photos", "SimulatePhotos"),

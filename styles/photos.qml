@@ -1,64 +1,64 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis hasScaleBasedVisibilityFlag="0" simplifyMaxScale="1" symbologyReferenceScale="-1" styleCategories="AllStyleCategories" simplifyDrawingHints="1" maxScale="0" simplifyLocal="1" readOnly="0" minScale="100000000" simplifyAlgorithm="0" simplifyDrawingTol="1" labelsEnabled="0" version="3.22.16-Białowieża">
+<qgis minScale="100000000" readOnly="0" simplifyMaxScale="1" simplifyDrawingHints="1" hasScaleBasedVisibilityFlag="0" styleCategories="AllStyleCategories" simplifyAlgorithm="0" maxScale="0" labelsEnabled="0" symbologyReferenceScale="-1" simplifyDrawingTol="1" simplifyLocal="1" version="3.22.16-Białowieża">
   <flags>
     <Identifiable>1</Identifiable>
     <Removable>1</Removable>
     <Searchable>1</Searchable>
     <Private>0</Private>
   </flags>
-  <temporal enabled="0" limitMode="0" fixedDuration="0" endField="" durationField="" startExpression="" mode="0" startField="" durationUnit="min" endExpression="" accumulate="0">
+  <temporal endExpression="" durationField="" durationUnit="min" fixedDuration="0" startField="" accumulate="0" endField="" startExpression="" mode="0" enabled="0" limitMode="0">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <renderer-v2 type="singleSymbol" referencescale="-1" symbollevels="0" enableorderby="0" forceraster="0">
+  <renderer-v2 type="singleSymbol" forceraster="0" enableorderby="0" symbollevels="0" referencescale="-1">
     <symbols>
-      <symbol type="marker" clip_to_extent="1" name="0" alpha="1" force_rhr="0">
+      <symbol name="0" alpha="1" clip_to_extent="1" type="marker" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
-            <Option type="QString" name="name" value=""/>
+            <Option name="name" type="QString" value=""/>
             <Option name="properties"/>
-            <Option type="QString" name="type" value="collection"/>
+            <Option name="type" type="QString" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer enabled="1" pass="0" class="GeometryGenerator" locked="0">
+        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator">
           <Option type="Map">
-            <Option type="QString" name="SymbolType" value="Fill"/>
-            <Option type="QString" name="geometryModifier" value="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
-            <Option type="QString" name="units" value="MM"/>
+            <Option name="SymbolType" type="QString" value="Fill"/>
+            <Option name="geometryModifier" type="QString" value="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
+            <Option name="units" type="QString" value="MM"/>
           </Option>
           <prop k="SymbolType" v="Fill"/>
           <prop k="geometryModifier" v="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
           <prop k="units" v="MM"/>
           <data_defined_properties>
             <Option type="Map">
-              <Option type="QString" name="name" value=""/>
+              <Option name="name" type="QString" value=""/>
               <Option name="properties"/>
-              <Option type="QString" name="type" value="collection"/>
+              <Option name="type" type="QString" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol type="fill" clip_to_extent="1" name="@0@0" alpha="1" force_rhr="0">
+          <symbol name="@0@0" alpha="1" clip_to_extent="1" type="fill" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
-                <Option type="QString" name="name" value=""/>
+                <Option name="name" type="QString" value=""/>
                 <Option name="properties"/>
-                <Option type="QString" name="type" value="collection"/>
+                <Option name="type" type="QString" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer enabled="1" pass="0" class="SimpleFill" locked="0">
+            <layer pass="0" locked="0" enabled="1" class="SimpleFill">
               <Option type="Map">
-                <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
-                <Option type="QString" name="color" value="47,111,159,70"/>
-                <Option type="QString" name="joinstyle" value="bevel"/>
-                <Option type="QString" name="offset" value="0,0"/>
-                <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
-                <Option type="QString" name="offset_unit" value="MM"/>
-                <Option type="QString" name="outline_color" value="47,111,159,255"/>
-                <Option type="QString" name="outline_style" value="solid"/>
-                <Option type="QString" name="outline_width" value="0.3"/>
-                <Option type="QString" name="outline_width_unit" value="MM"/>
-                <Option type="QString" name="style" value="solid"/>
+                <Option name="border_width_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
+                <Option name="color" type="QString" value="47,111,159,70"/>
+                <Option name="joinstyle" type="QString" value="bevel"/>
+                <Option name="offset" type="QString" value="0,0"/>
+                <Option name="offset_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
+                <Option name="offset_unit" type="QString" value="MM"/>
+                <Option name="outline_color" type="QString" value="47,111,159,255"/>
+                <Option name="outline_style" type="QString" value="solid"/>
+                <Option name="outline_width" type="QString" value="0.3"/>
+                <Option name="outline_width_unit" type="QString" value="MM"/>
+                <Option name="style" type="QString" value="solid"/>
               </Option>
               <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
               <prop k="color" v="47,111,159,70"/>
@@ -73,45 +73,45 @@
               <prop k="style" v="solid"/>
               <data_defined_properties>
                 <Option type="Map">
-                  <Option type="QString" name="name" value=""/>
-                  <Option type="Map" name="properties">
-                    <Option type="Map" name="fillColor">
-                      <Option type="bool" name="active" value="true"/>
-                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,70')"/>
-                      <Option type="int" name="type" value="3"/>
+                  <Option name="name" type="QString" value=""/>
+                  <Option name="properties" type="Map">
+                    <Option name="fillColor" type="Map">
+                      <Option name="active" type="bool" value="true"/>
+                      <Option name="expression" type="QString" value="if($id is null, '0,0,0,0', '47,111,159,70')"/>
+                      <Option name="type" type="int" value="3"/>
                     </Option>
-                    <Option type="Map" name="outlineColor">
-                      <Option type="bool" name="active" value="true"/>
-                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,255')"/>
-                      <Option type="int" name="type" value="3"/>
+                    <Option name="outlineColor" type="Map">
+                      <Option name="active" type="bool" value="true"/>
+                      <Option name="expression" type="QString" value="if($id is null, '0,0,0,0', '47,111,159,255')"/>
+                      <Option name="type" type="int" value="3"/>
                     </Option>
                   </Option>
-                  <Option type="QString" name="type" value="collection"/>
+                  <Option name="type" type="QString" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer enabled="1" pass="0" class="SvgMarker" locked="0">
+        <layer pass="0" locked="0" enabled="1" class="SvgMarker">
           <Option type="Map">
-            <Option type="QString" name="angle" value="0"/>
-            <Option type="QString" name="color" value="47,111,159,255"/>
-            <Option type="QString" name="fixedAspectRatio" value="0"/>
-            <Option type="QString" name="horizontal_anchor_point" value="1"/>
-            <Option type="QString" name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
-            <Option type="QString" name="offset" value="0,0"/>
-            <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
-            <Option type="QString" name="offset_unit" value="MM"/>
-            <Option type="QString" name="outline_color" value="255,255,255,255"/>
-            <Option type="QString" name="outline_width" value="0.2"/>
-            <Option type="QString" name="outline_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
-            <Option type="QString" name="outline_width_unit" value="MM"/>
+            <Option name="angle" type="QString" value="0"/>
+            <Option name="color" type="QString" value="47,111,159,255"/>
+            <Option name="fixedAspectRatio" type="QString" value="0"/>
+            <Option name="horizontal_anchor_point" type="QString" value="1"/>
+            <Option name="name" type="QString" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
+            <Option name="offset" type="QString" value="0,0"/>
+            <Option name="offset_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
+            <Option name="offset_unit" type="QString" value="MM"/>
+            <Option name="outline_color" type="QString" value="255,255,255,255"/>
+            <Option name="outline_width" type="QString" value="0.2"/>
+            <Option name="outline_width_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
+            <Option name="outline_width_unit" type="QString" value="MM"/>
             <Option name="parameters"/>
-            <Option type="QString" name="scale_method" value="diameter"/>
-            <Option type="QString" name="size" value="5"/>
-            <Option type="QString" name="size_map_unit_scale" value="3x:0,0,0,0,0,0"/>
-            <Option type="QString" name="size_unit" value="MM"/>
-            <Option type="QString" name="vertical_anchor_point" value="1"/>
+            <Option name="scale_method" type="QString" value="diameter"/>
+            <Option name="size" type="QString" value="5"/>
+            <Option name="size_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
+            <Option name="size_unit" type="QString" value="MM"/>
+            <Option name="vertical_anchor_point" type="QString" value="1"/>
           </Option>
           <prop k="angle" v="0"/>
           <prop k="color" v="47,111,159,255"/>
@@ -133,15 +133,15 @@
           <prop k="vertical_anchor_point" v="1"/>
           <data_defined_properties>
             <Option type="Map">
-              <Option type="QString" name="name" value=""/>
-              <Option type="Map" name="properties">
-                <Option type="Map" name="angle">
-                  <Option type="bool" name="active" value="true"/>
-                  <Option type="QString" name="expression" value="coalesce(&quot;direction&quot;, 0)"/>
-                  <Option type="int" name="type" value="3"/>
+              <Option name="name" type="QString" value=""/>
+              <Option name="properties" type="Map">
+                <Option name="angle" type="Map">
+                  <Option name="active" type="bool" value="true"/>
+                  <Option name="expression" type="QString" value="coalesce(&quot;direction&quot;, 0)"/>
+                  <Option name="type" type="int" value="3"/>
                 </Option>
               </Option>
-              <Option type="QString" name="type" value="collection"/>
+              <Option name="type" type="QString" value="collection"/>
             </Option>
           </data_defined_properties>
         </layer>
@@ -162,20 +162,21 @@
     </activeChecks>
     <checkConfiguration/>
   </geometryOptions>
-  <legend showLabelLegend="0" type="default-vector"/>
+  <legend type="default-vector" showLabelLegend="0"/>
   <referencedLayers/>
   <fieldConfiguration>
     <field name="photo" configurationFlags="None">
       <editWidget type="ExternalResource">
         <config>
           <Option type="Map">
-            <Option type="int" name="DocumentViewer" value="1"/>
-            <Option type="int" name="DocumentViewerHeight" value="300"/>
-            <Option type="int" name="DocumentViewerWidth" value="0"/>
-            <Option type="bool" name="FileWidget" value="true"/>
-            <Option type="bool" name="FileWidgetButton" value="true"/>
-            <Option type="int" name="RelativeStorage" value="0"/>
-            <Option type="int" name="StorageMode" value="0"/>
+            <Option name="DocumentViewer" type="int" value="0"/>
+            <Option name="FileWidget" type="bool" value="true"/>
+            <Option name="FileWidgetButton" type="bool" value="true"/>
+            <Option name="FileWidgetFilter" type="QString" value=""/>
+            <Option name="FullUrl" type="bool" value="true"/>
+            <Option name="RelativeStorage" type="int" value="0"/>
+            <Option name="StorageMode" type="int" value="0"/>
+            <Option name="UseLink" type="bool" value="true"/>
           </Option>
         </config>
       </editWidget>
@@ -195,9 +196,16 @@
       </editWidget>
     </field>
     <field name="altitude" configurationFlags="None">
-      <editWidget type="">
+      <editWidget type="Range">
         <config>
-          <Option/>
+          <Option type="Map">
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
+          </Option>
         </config>
       </editWidget>
     </field>
@@ -205,12 +213,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option type="bool" name="AllowNull" value="true"/>
-            <Option type="double" name="Max" value="360"/>
-            <Option type="double" name="Min" value="0"/>
-            <Option type="int" name="Precision" value="2"/>
-            <Option type="double" name="Step" value="0.1"/>
-            <Option type="QString" name="Style" value="SpinBox"/>
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -244,23 +252,44 @@
       </editWidget>
     </field>
     <field name="f35" configurationFlags="None">
-      <editWidget type="">
+      <editWidget type="Range">
         <config>
-          <Option/>
+          <Option type="Map">
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
+          </Option>
         </config>
       </editWidget>
     </field>
     <field name="hfov" configurationFlags="None">
-      <editWidget type="">
+      <editWidget type="Range">
         <config>
-          <Option/>
+          <Option type="Map">
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
+          </Option>
         </config>
       </editWidget>
     </field>
     <field name="vfov" configurationFlags="None">
-      <editWidget type="">
+      <editWidget type="Range">
         <config>
-          <Option/>
+          <Option type="Map">
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
+          </Option>
         </config>
       </editWidget>
     </field>
@@ -286,9 +315,16 @@
       </editWidget>
     </field>
     <field name="h_acc" configurationFlags="None">
-      <editWidget type="">
+      <editWidget type="Range">
         <config>
-          <Option/>
+          <Option type="Map">
+            <Option name="AllowNull" type="bool" value="true"/>
+            <Option name="Max" type="double" value="1e+09"/>
+            <Option name="Min" type="double" value="-1e+09"/>
+            <Option name="Precision" type="int" value="1"/>
+            <Option name="Step" type="double" value="0.1"/>
+            <Option name="Style" type="QString" value="SpinBox"/>
+          </Option>
         </config>
       </editWidget>
     </field>
@@ -299,86 +335,117 @@
         </config>
       </editWidget>
     </field>
+    <field name="preview" configurationFlags="None">
+      <editWidget type="ExternalResource">
+        <config>
+          <Option type="Map">
+            <Option name="DefaultRoot" type="QString" value=""/>
+            <Option name="DocumentViewer" type="int" value="1"/>
+            <Option name="DocumentViewerHeight" type="int" value="220"/>
+            <Option name="DocumentViewerWidth" type="int" value="0"/>
+            <Option name="FileWidget" type="bool" value="false"/>
+            <Option name="FileWidgetButton" type="bool" value="false"/>
+            <Option name="PropertyCollection" type="Map">
+              <Option name="name" type="invalid"/>
+              <Option name="properties" type="Map">
+                <Option name="propertyRootPath" type="Map">
+                  <Option name="active" type="bool" value="true"/>
+                  <Option name="expression" type="QString" value="file_path(layer_property(@layer, 'path'))"/>
+                  <Option name="type" type="int" value="3"/>
+                </Option>
+              </Option>
+              <Option name="type" type="QString" value="collection"/>
+            </Option>
+            <Option name="RelativeStorage" type="int" value="2"/>
+            <Option name="StorageMode" type="int" value="0"/>
+          </Option>
+        </config>
+      </editWidget>
+    </field>
   </fieldConfiguration>
   <aliases>
-    <alias name="Photo" index="0" field="photo"/>
-    <alias name="Name" index="1" field="filename"/>
-    <alias name="Folder" index="2" field="directory"/>
-    <alias name="GPS altitude (m)" index="3" field="altitude"/>
-    <alias name="Recorded heading (°)" index="4" field="direction"/>
-    <alias name="Rotation by EXIF (°)" index="5" field="rotation"/>
-    <alias name="Longitude (°)" index="6" field="longitude"/>
-    <alias name="Latitude (°)" index="7" field="latitude"/>
-    <alias name="Taken at (camera's local time)" index="8" field="timestamp"/>
-    <alias name="35 mm equivalent focal length (mm)" index="9" field="f35"/>
-    <alias name="Horizontal field of view (°)" index="10" field="hfov"/>
-    <alias name="Vertical field of view (°)" index="11" field="vfov"/>
-    <alias name="Width of the upright picture (px)" index="12" field="width"/>
-    <alias name="Height of the upright picture (px)" index="13" field="height"/>
-    <alias name="Recorded heading counts from (T true, M magnetic north)" index="14" field="dir_ref"/>
-    <alias name="GPS horizontal error (m)" index="15" field="h_acc"/>
-    <alias name="Camera" index="16" field="camera"/>
+    <alias name="Photo" field="photo" index="0"/>
+    <alias name="Name" field="filename" index="1"/>
+    <alias name="Folder" field="directory" index="2"/>
+    <alias name="GPS altitude (m)" field="altitude" index="3"/>
+    <alias name="Recorded heading (°)" field="direction" index="4"/>
+    <alias name="Rotation by EXIF (°)" field="rotation" index="5"/>
+    <alias name="Longitude (°)" field="longitude" index="6"/>
+    <alias name="Latitude (°)" field="latitude" index="7"/>
+    <alias name="Taken at (camera's local time)" field="timestamp" index="8"/>
+    <alias name="35 mm equivalent focal length (mm)" field="f35" index="9"/>
+    <alias name="Horizontal field of view (°)" field="hfov" index="10"/>
+    <alias name="Vertical field of view (°)" field="vfov" index="11"/>
+    <alias name="Width of the upright picture (px)" field="width" index="12"/>
+    <alias name="Height of the upright picture (px)" field="height" index="13"/>
+    <alias name="Recorded heading counts from (T true, M magnetic north)" field="dir_ref" index="14"/>
+    <alias name="GPS horizontal error (m)" field="h_acc" index="15"/>
+    <alias name="Camera" field="camera" index="16"/>
+    <alias name="Picture" field="preview" index="17"/>
   </aliases>
   <defaults>
-    <default applyOnUpdate="0" expression="" field="photo"/>
-    <default applyOnUpdate="0" expression="" field="filename"/>
-    <default applyOnUpdate="0" expression="" field="directory"/>
-    <default applyOnUpdate="0" expression="" field="altitude"/>
-    <default applyOnUpdate="0" expression="" field="direction"/>
-    <default applyOnUpdate="0" expression="" field="rotation"/>
-    <default applyOnUpdate="0" expression="" field="longitude"/>
-    <default applyOnUpdate="0" expression="" field="latitude"/>
-    <default applyOnUpdate="0" expression="" field="timestamp"/>
-    <default applyOnUpdate="0" expression="" field="f35"/>
-    <default applyOnUpdate="0" expression="" field="hfov"/>
-    <default applyOnUpdate="0" expression="" field="vfov"/>
-    <default applyOnUpdate="0" expression="" field="width"/>
-    <default applyOnUpdate="0" expression="" field="height"/>
-    <default applyOnUpdate="0" expression="" field="dir_ref"/>
-    <default applyOnUpdate="0" expression="" field="h_acc"/>
-    <default applyOnUpdate="0" expression="" field="camera"/>
+    <default field="photo" applyOnUpdate="0" expression=""/>
+    <default field="filename" applyOnUpdate="0" expression=""/>
+    <default field="directory" applyOnUpdate="0" expression=""/>
+    <default field="altitude" applyOnUpdate="0" expression=""/>
+    <default field="direction" applyOnUpdate="0" expression=""/>
+    <default field="rotation" applyOnUpdate="0" expression=""/>
+    <default field="longitude" applyOnUpdate="0" expression=""/>
+    <default field="latitude" applyOnUpdate="0" expression=""/>
+    <default field="timestamp" applyOnUpdate="0" expression=""/>
+    <default field="f35" applyOnUpdate="0" expression=""/>
+    <default field="hfov" applyOnUpdate="0" expression=""/>
+    <default field="vfov" applyOnUpdate="0" expression=""/>
+    <default field="width" applyOnUpdate="0" expression=""/>
+    <default field="height" applyOnUpdate="0" expression=""/>
+    <default field="dir_ref" applyOnUpdate="0" expression=""/>
+    <default field="h_acc" applyOnUpdate="0" expression=""/>
+    <default field="camera" applyOnUpdate="0" expression=""/>
+    <default field="preview" applyOnUpdate="0" expression=""/>
   </defaults>
   <constraints>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="photo"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="filename"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="directory"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="altitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="direction"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="rotation"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="longitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="latitude"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="timestamp"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="f35"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="hfov"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="vfov"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="width"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="height"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="dir_ref"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="h_acc"/>
-    <constraint unique_strength="0" notnull_strength="0" exp_strength="0" constraints="0" field="camera"/>
+    <constraint field="photo" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="filename" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="directory" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="altitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="direction" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="rotation" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="longitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="latitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="timestamp" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="f35" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="hfov" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="vfov" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="width" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="height" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="dir_ref" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="h_acc" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="camera" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint field="preview" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
   </constraints>
   <constraintExpressions>
-    <constraint exp="" desc="" field="photo"/>
-    <constraint exp="" desc="" field="filename"/>
-    <constraint exp="" desc="" field="directory"/>
-    <constraint exp="" desc="" field="altitude"/>
-    <constraint exp="" desc="" field="direction"/>
-    <constraint exp="" desc="" field="rotation"/>
-    <constraint exp="" desc="" field="longitude"/>
-    <constraint exp="" desc="" field="latitude"/>
-    <constraint exp="" desc="" field="timestamp"/>
-    <constraint exp="" desc="" field="f35"/>
-    <constraint exp="" desc="" field="hfov"/>
-    <constraint exp="" desc="" field="vfov"/>
-    <constraint exp="" desc="" field="width"/>
-    <constraint exp="" desc="" field="height"/>
-    <constraint exp="" desc="" field="dir_ref"/>
-    <constraint exp="" desc="" field="h_acc"/>
-    <constraint exp="" desc="" field="camera"/>
+    <constraint desc="" field="photo" exp=""/>
+    <constraint desc="" field="filename" exp=""/>
+    <constraint desc="" field="directory" exp=""/>
+    <constraint desc="" field="altitude" exp=""/>
+    <constraint desc="" field="direction" exp=""/>
+    <constraint desc="" field="rotation" exp=""/>
+    <constraint desc="" field="longitude" exp=""/>
+    <constraint desc="" field="latitude" exp=""/>
+    <constraint desc="" field="timestamp" exp=""/>
+    <constraint desc="" field="f35" exp=""/>
+    <constraint desc="" field="hfov" exp=""/>
+    <constraint desc="" field="vfov" exp=""/>
+    <constraint desc="" field="width" exp=""/>
+    <constraint desc="" field="height" exp=""/>
+    <constraint desc="" field="dir_ref" exp=""/>
+    <constraint desc="" field="h_acc" exp=""/>
+    <constraint desc="" field="camera" exp=""/>
+    <constraint desc="" field="preview" exp=""/>
   </constraintExpressions>
   <expressionfields/>
   <attributeactions/>
-  <attributetableconfig sortExpression="" actionWidgetStyle="dropDown" sortOrder="0">
+  <attributetableconfig actionWidgetStyle="dropDown" sortExpression="" sortOrder="0">
     <columns/>
   </attributetableconfig>
   <conditionalstyles>
@@ -392,13 +459,39 @@
   <editforminitfilepath></editforminitfilepath>
   <editforminitcode><![CDATA[]]></editforminitcode>
   <featformsuppress>0</featformsuppress>
-  <editorlayout>generatedlayout</editorlayout>
+  <editorlayout>tablayout</editorlayout>
+  <attributeEditorForm>
+    <attributeEditorContainer columnCount="1" name="Photo" visibilityExpressionEnabled="0" showLabel="1" groupBox="0" visibilityExpression="">
+      <attributeEditorField name="preview" showLabel="1" index="17"/>
+      <attributeEditorField name="filename" showLabel="1" index="1"/>
+      <attributeEditorField name="direction" showLabel="1" index="4"/>
+      <attributeEditorField name="dir_ref" showLabel="1" index="14"/>
+      <attributeEditorField name="timestamp" showLabel="1" index="8"/>
+      <attributeEditorField name="camera" showLabel="1" index="16"/>
+      <attributeEditorField name="f35" showLabel="1" index="9"/>
+      <attributeEditorField name="hfov" showLabel="1" index="10"/>
+      <attributeEditorField name="vfov" showLabel="1" index="11"/>
+      <attributeEditorField name="width" showLabel="1" index="12"/>
+      <attributeEditorField name="height" showLabel="1" index="13"/>
+      <attributeEditorField name="rotation" showLabel="1" index="5"/>
+      <attributeEditorField name="photo" showLabel="1" index="0"/>
+      <attributeEditorField name="directory" showLabel="1" index="2"/>
+    </attributeEditorContainer>
+    <attributeEditorContainer columnCount="1" name="Place" visibilityExpressionEnabled="0" showLabel="1" groupBox="0" visibilityExpression="">
+      <attributeEditorField name="altitude" showLabel="1" index="3"/>
+      <attributeEditorField name="h_acc" showLabel="1" index="15"/>
+      <attributeEditorField name="longitude" showLabel="1" index="6"/>
+      <attributeEditorField name="latitude" showLabel="1" index="7"/>
+    </attributeEditorContainer>
+  </attributeEditorForm>
   <editable/>
-  <labelOnTop/>
+  <labelOnTop>
+    <field labelOnTop="1" name="preview"/>
+  </labelOnTop>
   <reuseLastValue/>
   <dataDefinedFieldProperties/>
   <widgets/>
   <previewExpression>file_name("photo")</previewExpression>
-  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace("photo", '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
+  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace(with_variable('beside', file_path(layer_property(@layer, 'path')) || '/' || "preview", if(file_exists(@beside), @beside, coalesce("preview", "photo"))), '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
   <layerGeometryType>0</layerGeometryType>
 </qgis>

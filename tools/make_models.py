@@ -16,8 +16,10 @@ from qgis.core import (
     QgsProcessingParameterBoolean,
     QgsProcessingParameterDistance,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
     QgsProcessingParameterFile,
     QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterVectorLayer,
     QgsUnitTypes,
 )
 from qgis.PyQt.QtCore import QPointF, QSizeF
@@ -39,7 +41,7 @@ def main():
     plugin = classFactory(None)
     plugin.initProcessing()
     (ROOT / "models").mkdir(exist_ok=True)
-    for model in (geotagged_photos(), compass_viewsheds(), viewshed_landcover()):
+    for model in (geotagged_photos(), compass_viewsheds(), viewshed_landcover(), orient_again()):
         faults = [fault for child in model.childAlgorithms() for fault in model.validateChildAlgorithm(child)[1]]
         if faults:
             raise SystemExit(f"{model.name()}: {faults}")
@@ -147,6 +149,59 @@ def viewshed_landcover():
         },
         1,
         {"LAND_COVER": ("OUTPUT", "Land cover in view")},
+    )
+    return model
+
+
+def orient_again():
+    """Build the model that orients photographs again, updates their layer and renews the viewsheds."""
+    text = (
+        "Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, "
+        "updates the layer, and computes anew the ground that its photographs show."
+    )
+    model = new_model("orientagain", text)
+    points = [QgsProcessing.SourceType.TypeVectorPoint]
+    add_input(model, QgsProcessingParameterFeatureSource("AGAIN", "Photos to orient again", points), 0)
+    add_input(model, QgsProcessingParameterVectorLayer("LAYER", "Layer to update", points), 1)
+    add_input(model, dem(), 2)
+    near = QgsProcessingParameterField(
+        "NEAR",
+        "Field with an approximate heading (°)",
+        None,
+        "AGAIN",
+        QgsProcessingParameterField.DataType.Numeric,
+        optional=True,
+    )
+    add_input(model, near, 3)
+    add_input(model, QgsProcessingParameterFeatureSource("LANDMARKS", "Landmarks", points, optional=True), 4)
+    add_input(model, distance(), 5)
+    add_step(
+        model,
+        "orient",
+        "skylineviewshed:orientphotos",
+        {
+            "INPUT": given("AGAIN"),
+            "DEM": given("DEM"),
+            "HEADING_HINT_FIELD": given("NEAR"),
+            "LANDMARKS": given("LANDMARKS"),
+        },
+        0,
+        {"REPORT": ("REPORT", "Report")},
+    )
+    add_step(
+        model,
+        "merge",
+        "skylineviewshed:mergeoriented",
+        {"INPUT": given("LAYER"), "SOLVED": result("orient", "OUTPUT")},
+        1,
+    )
+    add_step(
+        model,
+        "viewshed",
+        "skylineviewshed:directedviewshed",
+        {"INPUT": result("merge", "UPDATED"), "DEM": given("DEM"), "MAX_DISTANCE": given("MAX_DISTANCE")},
+        2,
+        {"VIEWSHED": ("OUTPUT", "Viewshed"), "POLYGONS": ("POLYGONS", "Ground in view")},
     )
     return model
 

@@ -1,9 +1,9 @@
 """Make the small sample that `make demo` runs on: a procedural DEM and photographs of it with known truth.
 
-    python tools/make_sample.py build/demo/sample [--seed 7]
+    python tools/make_sample.py build/demo/sample [--seed 7] [--zip build/skyline_viewshed_sample.zip]
 
-This writes `dem/mountains.tif`, `photos/*.heic|jpg` and `truth.csv` (with the columns of the accuracy benchmark). The
-camera sees a rougher mountain than the DEM contains, as in nature.
+This writes `dem/mountains.tif`, `photos/*.heic|jpg` and `truth.csv` (with the columns of the accuracy benchmark), and
+with --zip packs them for download. The camera sees a rougher mountain than the DEM contains, as in nature.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+import zipfile
 from datetime import datetime, timedelta
 from pathlib import Path
 
@@ -39,6 +40,15 @@ SHOTS = (
     ("portrait.heic", 960, 1280, 28, 2.0, {"foreground": "trees", "foreground_share": 0.25}),
     ("evening.jpg", 1280, 853, 50, 6.0, {"visibility_m": 70_000.0}),
 )
+MOST_BYTES = 5_000_000
+EXPLANATION = """Sample for the QGIS plugin Skyline Viewshed: an invented mountain range, simulated.
+
+photos/             four photos with GPS position; two are HEIC files as iPhones write them
+dem/mountains.tif   the elevation model
+truth.csv           the true heading of each photo, to compare with
+
+In QGIS: click the plugin's button, choose the folder photos and the DEM mountains.tif, and press Run.
+"""
 COLUMNS = ("photo", "group", "latitude_deg", "longitude_deg", "gps_altitude_m", "focal_length_35mm")
 COLUMNS += ("compass_heading_deg", "heading_deg", "pitch_deg", "roll_deg")
 
@@ -47,9 +57,13 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--seed", type=int, default=7)
+    parser.add_argument("--zip", type=Path)
     given = parser.parse_args(arguments)
     rows = make_sample(given.folder, given.seed)
     print(f"{len(rows)} photographs, truth.csv and dem/mountains.tif in {given.folder}")
+    if given.zip:
+        size = pack_sample(given.folder, given.zip)
+        print(f"{given.zip}: {size / 1e6:.1f} MB")
 
 
 def make_sample(folder, seed=7):
@@ -68,6 +82,25 @@ def make_sample(folder, seed=7):
         writer.writeheader()
         writer.writerows(rows)
     return rows
+
+
+def pack_sample(folder, target):
+    """Pack a sample into one zip with a short explanation; return its size [bytes].
+
+    Raises
+    ------
+    SystemExit
+        If the zip is too large to download at leisure.
+    """
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        archive.writestr("skyline_sample/README.txt", EXPLANATION)
+        for path in sorted(file for file in Path(folder).rglob("*") if file.is_file()):
+            archive.write(path, Path("skyline_sample") / path.relative_to(folder))
+    size = target.stat().st_size
+    if size >= MOST_BYTES:
+        target.unlink()
+        raise SystemExit(f"The sample has {size / 1e6:.1f} MB; it must stay below {MOST_BYTES / 1e6:.0f} MB.")
+    return size
 
 
 def take(folder, dem, generator, shot, seed):

@@ -11,8 +11,11 @@ from pathlib import Path
 
 from qgis.core import (
     QgsApplication,
+    QgsAttributeEditorContainer,
+    QgsAttributeEditorField,
     QgsCategorizedSymbolRenderer,
     QgsClassificationEqualInterval,
+    QgsEditFormConfig,
     QgsEditorWidgetSetup,
     QgsFillSymbol,
     QgsGeometryGeneratorSymbolLayer,
@@ -29,6 +32,7 @@ from qgis.core import (
     QgsUnitTypes,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtCore import QVariant
 from qgis.PyQt.QtGui import QColor
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -55,11 +59,13 @@ def main():
     sys.path.insert(0, str(ROOT / "build" / "plugins"))
     from skyline_viewshed.algorithms.shared.fields import photo_specs, qgis_fields
     from skyline_viewshed.algorithms.shared.oriented import oriented_specs
+    from skyline_viewshed.algorithms.shared.previews import preview_specs
     from skyline_viewshed.algorithms.shared.viewshed_outputs import polygon_specs
 
     (ROOT / "styles").mkdir(exist_ok=True)
-    save(oriented(vector_layer("Point", qgis_fields(photo_specs()[:10] + oriented_specs()))), "oriented")
-    save(photos(vector_layer("Point", qgis_fields(photo_specs()))), "photos")
+    known = {spec.name: spec for spec in photo_specs() + oriented_specs() + preview_specs()}
+    save(oriented(vector_layer("Point", qgis_fields(known.values()))), "oriented")
+    save(photos(vector_layer("Point", qgis_fields(photo_specs() + preview_specs()))), "photos")
     save(polygons(vector_layer("MultiPolygon", qgis_fields(polygon_specs()))), "polygons")
     from skyline_viewshed.algorithms.horizon_profile import horizon_specs
 
@@ -142,23 +148,30 @@ def oriented(layer):
             f"[% {plain(MESSAGE)} %]"
         )
     )
-    return with_form(layer, "heading")
+    return with_form(layer, ORIENTED_TABS)
 
 
 def photos(layer):
     """Style imported photos: turned to the recorded heading."""
     layer.setRenderer(QgsSingleSymbolRenderer(camera_symbol("#2f6f9f", "direction")))
     layer.setMapTipTemplate(map_tip("[% coalesce('recorded ' || round(\"direction\", 1) || '°', '') %]"))
-    return with_form(layer, "direction")
+    return with_form(layer, PHOTO_TABS)
 
 
 def map_tip(words):
     """Build a map tip of the picture, its name and some words."""
-    photo = f'<img src="file:///[% {address(PHOTO)} %]" width="320"/>'
+    photo = f'<img src="file:///[% {address(PICTURE)} %]" width="320"/>'
     return f"{photo}<br/>[% {plain(NAME)} %] {words}"
 
 
-PHOTO, MESSAGE, NAME = '"photo"', '"message"', 'file_name("photo")'
+FOLDER = "file_path(layer_property(@layer, 'path'))"
+"""Folder of the layer's file; paths in the field `preview` count from it."""
+
+PICTURE = (
+    f"with_variable('beside', {FOLDER} || '/' || \"preview\", "
+    'if(file_exists(@beside), @beside, coalesce("preview", "photo")))'
+)
+MESSAGE, NAME = '"message"', 'file_name("photo")'
 
 
 def plain(expression):
@@ -177,16 +190,82 @@ def replaced(expression, pairs):
     return expression
 
 
-def with_form(layer, heading):
-    """Show the picture and the heading in the attribute form."""
+ORIENTED_TABS = {
+    "Answer": ("preview", "status", "heading", "heading_lo", "heading_hi", "p_correct", "message"),
+    "Match": (
+        *("pitch", "roll", "hfov", "vfov", "heading_2", "heading_3", "compass", "compass_df"),
+        *("ncc", "ncc_2nd", "sharpness", "horizon_m"),
+    ),
+    "Place": (
+        *("eye_z", "altitude", "h_acc", "longitude", "latitude", "observ_hgt", "radius", "azim_1", "azim_2"),
+        "grid_conv",
+    ),
+    "Photo": (
+        *("photo", "filename", "directory", "timestamp", "camera", "f35", "width", "height", "rotation"),
+        *("direction", "dir_ref"),
+    ),
+}
+"""Tabs of the form and their fields; it opens with the picture, the verdict and the heading."""
+
+PHOTO_TABS = {
+    "Photo": (
+        *("preview", "filename", "direction", "dir_ref", "timestamp", "camera", "f35", "hfov", "vfov"),
+        *("width", "height", "rotation", "photo", "directory"),
+    ),
+    "Place": ("altitude", "h_acc", "longitude", "latitude"),
+}
+
+DECIMALS = {
+    **dict.fromkeys(("ncc", "ncc_2nd", "p_correct", "sharpness", "grid_conv"), 2),
+    **dict.fromkeys(("altitude", "eye_z", "h_acc", "observ_hgt", "f35"), 1),
+    **dict.fromkeys(("horizon_m", "radius"), 0),
+}
+"""Decimals that a value deserves; angles, and what is not listed, have one."""
+
+
+def with_form(layer, tabs):
+    """Give the attribute form its tabs, its picture, and as many decimals as the values deserve."""
     fields = layer.fields()
-    viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 300, "DocumentViewerWidth": 0, "FileWidget": True,
-              "FileWidgetButton": True, "StorageMode": 0, "RelativeStorage": 0}  # fmt: skip
-    layer.setEditorWidgetSetup(fields.lookupField("photo"), QgsEditorWidgetSetup("ExternalResource", viewer))
-    limits = {"Min": 0.0, "Max": 360.0, "Step": 0.1, "Precision": 2, "Style": "SpinBox", "AllowNull": True}
-    layer.setEditorWidgetSetup(fields.lookupField(heading), QgsEditorWidgetSetup("Range", limits))
+    for index, field in enumerate(fields):
+        if field.type() == QVariant.Double:
+            layer.setEditorWidgetSetup(index, number_widget(DECIMALS.get(field.name(), 1)))
+    layer.setEditorWidgetSetup(fields.lookupField("preview"), picture_widget())
+    link = {"DocumentViewer": 0, "FileWidget": True, "FileWidgetButton": True, "FileWidgetFilter": "",
+            "UseLink": True, "FullUrl": True, "StorageMode": 0, "RelativeStorage": 0}  # fmt: skip
+    layer.setEditorWidgetSetup(fields.lookupField("photo"), QgsEditorWidgetSetup("ExternalResource", link))
+    if fields.lookupField("message") >= 0:
+        lines = QgsEditorWidgetSetup("TextEdit", {"IsMultiline": True, "UseHtml": False})
+        layer.setEditorWidgetSetup(fields.lookupField("message"), lines)
+    config = layer.editFormConfig()
+    config.setLayout(QgsEditFormConfig.EditorLayout.TabLayout)
+    config.clearTabs()
+    for title, names in tabs.items():
+        tab = QgsAttributeEditorContainer(title, config.invisibleRootContainer())
+        tab.setIsGroupBox(False)
+        for name in names:
+            tab.addChildElement(QgsAttributeEditorField(name, fields.lookupField(name), tab))
+        config.addTab(tab)
+    if fields.lookupField("preview") >= 0:
+        config.setLabelOnTop(fields.lookupField("preview"), True)
+    layer.setEditFormConfig(config)
     layer.setDisplayExpression('file_name("photo")')
     return layer
+
+
+def number_widget(decimals):
+    """Build the widget of a number with some decimals, in form and table."""
+    limits = {"Min": -1e9, "Max": 1e9, "Step": 10.0**-decimals, "Precision": decimals, "Style": "SpinBox"}
+    return QgsEditorWidgetSetup("Range", {**limits, "AllowNull": True})
+
+
+def picture_widget():
+    """Build the widget that shows the picture, whose path counts from the folder of the layer's file."""
+    root = {"active": True, "expression": FOLDER, "type": 3}
+    viewer = {"DocumentViewer": 1, "DocumentViewerHeight": 220, "DocumentViewerWidth": 0, "FileWidget": False,
+              "FileWidgetButton": False, "StorageMode": 0, "RelativeStorage": 2, "DefaultRoot": "",
+              "PropertyCollection": {"name": None, "properties": {"propertyRootPath": root},
+                                     "type": "collection"}}  # fmt: skip
+    return QgsEditorWidgetSetup("ExternalResource", viewer)
 
 
 def polygons(layer):

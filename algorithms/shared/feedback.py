@@ -37,9 +37,10 @@ class StillProgress:
         return self.feedback.isCanceled()
 
 
-def announce(feedback, name, index, count):
-    """Report which photo or point is being processed."""
-    feedback.setProgressText(tr("{name} ({number}/{count})").format(name=name, number=index + 1, count=count))
+def announce(feedback, name, index, count, left=""):
+    """Report which photo or point is being processed, and the time left if it is known."""
+    place = tr("{name} ({number}/{count})").format(name=name, number=index + 1, count=count)
+    feedback.setProgressText(f"{place}, {left}" if left else place)
 
 
 def warn(feedback, name, message):

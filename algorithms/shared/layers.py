@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 from qgis.core import (
@@ -30,6 +30,8 @@ PATH_FIELDS = (
 LONGEST_PATH, LONGEST_NAME = 4096, 255
 """Longer texts, and those that begin as in `EMBEDDED`, are no paths but the picture itself, as base64 or bytes."""
 EMBEDDED = ("data:", "b'", "/9j/")
+MOST_UP = 2
+"""Folders above that of a layer or project in which a photo that moved is looked for."""
 
 
 @dataclass(frozen=True)
@@ -212,10 +214,33 @@ def absolute_path(value, folders):
     if len(text) > LONGEST_PATH or text.startswith(EMBEDDED):
         return f"{text[:30]}..."
     path = Path(QUrl(text).toLocalFile() if text.lower().startswith("file:") else text)
-    if path.is_absolute():
+    if path.is_absolute() and _is_file(path):
         return str(path)
+    if path.is_absolute() or PureWindowsPath(text).is_absolute():
+        return moved_photo(path, folders)
     for folder in folders:
-        with suppress(OSError, ValueError):  # a text that no system takes for a path
-            if (folder / path).exists():
-                return str(folder / path)
+        if _is_file(folder / path):
+            return str(folder / path)
+    return str(path)
+
+
+def _is_file(path):
+    with suppress(OSError, ValueError):  # a text that no system takes for a path
+        return path.is_file()
+    return False
+
+
+def moved_photo(path, folders):
+    """Where a photo is that moved with its layer or project: as much of its path as fits below one of the folders.
+
+    The folders above are searched too, since a layer often lies beside the folder of its photos, or in one of its own.
+    """
+    parts = [part for part in str(path).replace("\\", "/").split("/") if part]
+    for folder in folders:
+        for up, base in enumerate((folder, *list(folder.parents)[:MOST_UP])):
+            # A name alone proves little: cameras number their files anew, so it counts only beside the layer.
+            for start in range(1, len(parts) - (up > 0)):
+                candidate = base.joinpath(*parts[start:])
+                if _is_file(candidate):
+                    return str(candidate)
     return str(path)

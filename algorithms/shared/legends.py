@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from xml.sax.saxutils import quoteattr
 
-from qgis.core import QgsCategorizedSymbolRenderer, QgsSingleBandPseudoColorRenderer
+from qgis.core import QgsSingleBandPseudoColorRenderer
 
 from .i18n import mark, marked
 
@@ -38,14 +38,14 @@ ENTRIES = (
 )
 """The legend texts of the files in `styles/`; numbers and units need no translation."""
 
+TABS = (mark("Answer"), mark("Match"), mark("Photo"), mark("Place"))
+"""The tabs of their forms."""
+
 
 def translate_legend(layer):
-    """Translate a layer's legend into the user's language, after its style has been loaded."""
+    """Translate a raster's legend into the user's language, after its style has been loaded."""
     renderer = layer.renderer()
-    if isinstance(renderer, QgsCategorizedSymbolRenderer):
-        for index, category in enumerate(renderer.categories()):
-            renderer.updateCategoryLabel(index, marked(category.label()))
-    elif isinstance(renderer, QgsSingleBandPseudoColorRenderer) and renderer.shader() is not None:
+    if isinstance(renderer, QgsSingleBandPseudoColorRenderer) and renderer.shader() is not None:
         ramp = renderer.shader().rasterShaderFunction()
         items = ramp.colorRampItemList()
         for item in items:

@@ -12,13 +12,14 @@ from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
-from .feedback import FeedbackProgress, announce, warn
+from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, number_or_none
 from .i18n import in_users_language, marked, tr
 from .kept_orientations import KeptOrientations
 from .oriented import oriented_specs, oriented_values
 from .photo_points import lens_of
 from .rescue import Rescue
+from .run_log import RunLog
 
 NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
 LENS_FIELDS = ("hfov", "vfov")
@@ -156,10 +157,10 @@ def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), p
     if doubt is not None:
         feedback.pushWarning(in_users_language(doubt))
     cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
-    kept = KeptOrientations(folder, feedback)
+    kept, told = KeptOrientations(folder, feedback), RunLog(feedback, len(requests))
     for index, request in enumerate(requests):
         name = tr("A point without a photo") if request is None else Path(request.path).name
-        announce(feedback, name, index, len(requests))
+        told.start(name)
         part = subtask(progress, index / len(requests), (index + part_of_photo) / len(requests))
         try:
             oriented = without_photo() if request is None else kept.orient(request, dem, options, cache, part)
@@ -172,10 +173,9 @@ def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), p
                 tr("Cancelled after {done} of {count} photos.").format(done=index, count=len(requests))
             )
             raise
-        answer = oriented.orientation
-        if answer.status in ("failed", "rejected"):
-            warn(feedback, name, answer.message)
+        told.answer(name, oriented.orientation)
         yield oriented
+    told.end()
     checkpoint(progress, 1.0)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import secrets
+import sqlite3
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,6 +26,7 @@ from ...core.base.errors import OutputError
 from ...core.io.whole_file import staged
 from .field_names import tell_changed, writable
 from .i18n import in_users_language, tr
+from .stored_style import store_style
 
 IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
 NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
@@ -32,7 +34,7 @@ NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
 letter."""
 
 
-def write_features(algorithm, parameters, name, context, fields, geometry_type, crs, rows):
+def write_features(algorithm, parameters, name, context, fields, geometry_type, crs, rows, style=""):
     """Create the sink `name` and fill it.
 
     The sink is created only now, when everything is known, so that a failed or cancelled run leaves none. A file gets
@@ -42,6 +44,8 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     ----------
     rows : list of (QgsGeometry or None, list)
         Geometry and attributes.
+    style : str
+        Name in `styles/` of the style that a file carries; without one it carries the aliases.
 
     Returns
     -------
@@ -53,19 +57,23 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
     QgsProcessingException
         Not all features could be written; a file that was begun has been removed.
     """
-    given = _destination(parameters.get(name), context)
+    given = destination(parameters.get(name), context)
     make_folder_of(given)
     if given and given.startswith(IN_MEMORY):
         fields = _without_aliases(fields)
     fields, changed = writable(fields, rows, given)
     tell_changed(context.feedback(), changed)
     kind = fields, geometry_type, crs
-    if not _is_plain_file(given):
-        return _written(algorithm, parameters, name, context, kind, rows)
+    if not is_plain_file(given):
+        identifier = _written(algorithm, parameters, name, context, kind, rows)
+        _dress(identifier or "", style, fields, name)
+        return identifier
     path = Path(given).expanduser().absolute()
     with staged(path) as stage:
         elsewhere = {**parameters, name: _moved(parameters[name], str(stage / path.name))}
         identifier = _written(algorithm, elsewhere, name, context, kind, rows, path)
+        if not path.with_suffix(".qml").exists():  # a style of the user's own beside a file stays
+            _dress(identifier, style, fields, path)
     # QGIS may have added a suffix, or the name of a layer in the file.
     final = (str(path) if given.startswith("~") else given) + identifier[len(str(stage / path.name)) :]
     _load_instead(context, identifier, final)
@@ -84,8 +92,8 @@ def rehearse(algorithm, parameters, name, context, kind):
     QgsProcessingException
         The format cannot hold the fields or the geometry.
     """
-    given = _destination(parameters.get(name), context)
-    if not _is_plain_file(given):
+    given = destination(parameters.get(name), context)
+    if not is_plain_file(given):
         return
     fields, geometry_type, crs = kind
     # Without values, no field can number the features; which name that field gets does not matter here.
@@ -127,6 +135,16 @@ def _written(algorithm, parameters, name, context, kind, rows, path=None):
     return identifier
 
 
+def _dress(identifier, style, fields, name):
+    """Store the style with a layer in a file."""
+    try:
+        stored = store_style(identifier, style, fields)
+    except (OSError, sqlite3.Error) as error:
+        raise unwritable(name, error) from None
+    if not stored:
+        raise QgsProcessingException(tr("{name} could not be written.").format(name=name))
+
+
 def _holds(identifier, count):
     """Return whether a file has all features, if QGIS can read its format again.
 
@@ -138,7 +156,7 @@ def _holds(identifier, count):
     return not 0 <= layer.featureCount() < count
 
 
-def _destination(value, context):
+def destination(value, context):
     """Text of a destination, which dialogs and models wrap; None if there is none."""
     if isinstance(value, QgsProcessingOutputLayerDefinition):
         value = value.sink
@@ -191,7 +209,7 @@ def _without_aliases(fields):
     return plain
 
 
-def _is_plain_file(value):
+def is_plain_file(value):
     """Return whether a destination is a file of its own; no database table, layer in memory or older .gdb folder."""
     return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 

@@ -30,8 +30,15 @@ CHOSEN_STATUSES = ("accepted", "confirmed", "ambiguous", "rejected")
 
 
 def advanced(parameter):
-    """Move a parameter below 'Advanced'."""
-    parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+    """Move a parameter below 'Advanced'.
+
+    One with a default becomes optional too: QGIS calls a model invalid in which a mandatory parameter has no value, so
+    each advanced parameter added later would break the models that users saved before.
+    """
+    flags = parameter.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    if parameter.defaultValue() is not None and not parameter.isDestination():
+        flags |= QgsProcessingParameterDefinition.Flag.FlagOptional
+    parameter.setFlags(flags)
     return parameter
 
 

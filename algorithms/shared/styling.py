@@ -5,13 +5,13 @@ from __future__ import annotations
 from datetime import datetime
 from pathlib import Path
 
-from qgis.core import QgsProcessingLayerPostProcessorInterface
+from qgis.core import QgsProcessingLayerPostProcessorInterface, QgsVectorLayer
 
 from .legends import translate_legend, translated_style
 from .outputs import write_whole
+from .stored_style import STYLES, style_document
 
-STYLES = Path(__file__).resolve().parents[2] / "styles"
-
+RASTERS = (".tif", ".tiff")
 MOST_ALIVE = 200
 _ALIVE = []
 """Post-processors in use. QGIS holds only a C++ pointer; without a Python reference they would be collected."""
@@ -27,18 +27,26 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
 
     def postProcessLayer(self, layer, context, feedback):
         """Apply style, aliases and metadata."""
-        style = STYLES / f"{self.style}.qml"
-        if style.exists():
-            message, loaded = layer.loadNamedStyle(str(style))
+        if isinstance(layer, QgsVectorLayer):
+            self._dress(layer, feedback)
+        elif (STYLES / f"{self.style}.qml").exists():
+            message, loaded = layer.loadNamedStyle(str(STYLES / f"{self.style}.qml"))
             if not loaded:
                 feedback.pushWarning(message)
             translate_legend(layer)
-        for spec in self.specs:
-            index = layer.fields().lookupField(spec.name)
-            if index >= 0:
-                layer.setFieldAlias(index, spec.alias)
         layer.setMetadata(self._described(layer.metadata()))
         layer.triggerRepaint()
+
+    def _dress(self, layer, feedback):
+        """Apply the style that a file carries; layers in memory and tables of databases have none of their own."""
+        ours = {spec.name: spec.alias for spec in self.specs}
+        aliases = {
+            field.name(): ours.get(field.name(), layer.attributeAlias(index))
+            for index, field in enumerate(layer.fields())
+        }
+        loaded, message = layer.importNamedStyle(style_document(self.style, aliases))
+        if not loaded:
+            feedback.pushWarning(message)
 
     def _described(self, metadata):
         """Record in the layer's metadata how it was made: method, parameters, software."""
@@ -52,7 +60,7 @@ class LayerStyler(QgsProcessingLayerPostProcessorInterface):
 
 
 def style_on_completion(context, identifier, style, title, specs=(), method=""):
-    """Have the layer `identifier` styled, if QGIS is going to load it.
+    """Have the layer `identifier` styled, if QGIS is going to load it; a raster gets its style beside it in any case.
 
     Parameters
     ----------
@@ -65,6 +73,8 @@ def style_on_completion(context, identifier, style, title, specs=(), method=""):
     method : str
         Method that made the layer.
     """
+    if identifier is not None and identifier.lower().endswith(RASTERS) and (STYLES / f"{style}.qml").exists():
+        dress_file(identifier, style)
     if identifier is None or not context.willLoadLayerOnCompletion(identifier):
         return
     styler = LayerStyler(style, tuple(specs), title, method)

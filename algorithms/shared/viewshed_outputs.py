@@ -90,6 +90,7 @@ class ViewshedOutputs:
             QgsWkbTypes.Type.MultiPolygon,
             crs,
             self.rows,
+            style="polygons",
         )
         style_on_completion(context, output, "polygons", tr("Ground in view"), specs, algorithm.displayName())
         return output

@@ -67,6 +67,28 @@ class Answers:
         """The objective of the best answer."""
         return self.objectives[self.eye[0]]
 
+    def curve(self):
+        """Headings [degrees] and scores of the whole circle that agree with the fitted answers.
+
+        The coarse search tries rolls in steps and at one tolerance, so its scores of a rolled photograph fall short of
+        those of the fits. The difference at the fitted headings is interpolated between them. No heading scores more
+        than the best fit.
+
+        Returns
+        -------
+        heading_deg, score : (N,) arrays
+            On the grid of the coarse search.
+        """
+        fitted = np.arange(len(self.trials)) != (-1 if self.hint is None else self.hint)
+        at, score = np.mod(self.trials[fitted, 0], 360.0), self.finding.score[fitted]
+        around = self.coarse
+        near = [around.score[np.abs(difference(around.heading_deg, heading)) <= RIGHT_DEG].max() for heading in at]
+        shift = np.interp(around.heading_deg, at[np.argsort(at)], (score - near)[np.argsort(at)], period=360.0)
+        value = np.minimum(around.score + shift, score.max()).astype(float)
+        for heading, own in zip(at[::-1], score[::-1]):  # the best one last
+            value[np.abs(difference(around.heading_deg, heading)).argmin()] = own
+        return around.heading_deg, value
+
     def with_hint(self, heading_prior):
         """Append the pose at a heading that is known beforehand, with the pitch and roll that fit the picture best."""
         around = self.coarse

@@ -107,6 +107,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
         for trial, value, share in zip(trials, score, probability)
     )
+    curve = answers.curve()
     residual, ncc = _skyline_residual(answers.objective, trials[:1], evidence, full)
     objection = None
     if status == "accepted" and not landmarks:
@@ -123,8 +124,8 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         heading_lo_deg=lo,
         heading_hi_deg=hi,
         p_correct=found.right,
-        curve_heading_deg=answers.coarse.heading_deg,
-        curve_score=answers.coarse.score.astype(float),
+        curve_heading_deg=curve[0],
+        curve_score=curve[1],
         ncc=ncc,
         ncc_second=second,
         sharpness=sharpness(answers.coarse.heading_deg, answers.coarse.score, candidates[0].pose.heading_deg),

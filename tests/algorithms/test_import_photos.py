@@ -42,7 +42,7 @@ def test_settings_say_what_the_algorithm_is(algorithm):
 def test_fields_are_qgis_own_nine_and_then_ours(run, scene):
     results, _ = run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": "memory:"})
     layer = results["OUTPUT"]
-    assert layer.fields().names() == NATIVE_FIELDS + OUR_FIELDS
+    assert layer.fields().names() == NATIVE_FIELDS + OUR_FIELDS + ["preview"]
     assert layer.wkbType() == QgsWkbTypes.Type.PointZ
     assert layer.crs().authid() == "EPSG:4326"
     assert results["COUNT"] == 2

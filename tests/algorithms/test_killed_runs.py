@@ -36,7 +36,7 @@ def assert_whole(outputs, photos):
     for name in ("OUTPUT", "POLYGONS"):
         if outputs[name].exists():
             assert len(rows_of(outputs[name])) == photos, name
-    known = set(outputs.values()) | set(rasters)
+    known = set(outputs.values()) | set(rasters) | {path.with_suffix(".qml") for path in rasters}
     strangers = [path for path in folder.iterdir() if path not in known and not path.name.startswith(".")]
     assert strangers == []
 

@@ -178,6 +178,13 @@ def test_every_legend_is_in_the_catalogue():
     assert with_letters == set(ENTRIES)
 
 
+def test_every_tab_of_the_forms_is_in_the_catalogue():
+    from skyline_viewshed.algorithms.shared.legends import TABS
+
+    text = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "styles").glob("*.qml"))
+    assert set(re.findall(r'<attributeEditorContainer [^>]*name="([^"]+)"', text)) == set(TABS)
+
+
 def test_a_layer_s_legend_speaks_the_language(speaking, run, scene, tmp_path):
     from skyline_viewshed.algorithms.shared.styling import style_on_completion
 

@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsVectorLayer
+from qgis.core import (
+    QgsApplication,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingModelAlgorithm,
+    QgsProcessingParameterDefinition,
+    QgsVectorLayer,
+)
 
 pytestmark = pytest.mark.qgis
 
 REACH_M = 5000.0
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -74,3 +86,87 @@ def test_a_folder_of_geotagged_photos_becomes_viewsheds(run_model, scene):
     headings = [row["heading"] for row in QgsVectorLayer(found["PHOTOS"], "photos", "ogr").getFeatures()]
     assert sorted(headings) == pytest.approx(sorted(pose.heading_deg for pose in scene.truth.values()), abs=0.5)
     assert QgsVectorLayer(found["POLYGONS"], "ground", "ogr").featureCount() == 2
+
+
+def shipped(provider):
+    """The models as the designer opens them, by name."""
+    models = [it.create() for it in provider.algorithms() if hasattr(it, "childAlgorithms")]
+    return {model.name(): model for model in models}
+
+
+def faults_of(model):
+    valid, faults = model.validate()
+    children = [fault for child in model.childAlgorithms() for fault in model.validateChildAlgorithm(child)[1]]
+    return [*([] if valid else faults), *children]
+
+
+def test_every_shipped_model_is_valid_in_the_designer(provider):
+    models = shipped(provider)
+    assert {"geotaggedphotos", "compassviewsheds", "viewshedlandcover"} <= set(models)
+    assert {name: faults_of(model) for name, model in models.items() if faults_of(model)} == {}
+
+
+def test_a_model_saved_before_an_optional_parameter_existed_stays_valid(provider, tmp_path):
+    optional, dropped = QgsProcessingParameterDefinition.Flag.FlagOptional, 0
+    spare = {
+        f"skylineviewshed:{it.name()}": [d.name() for d in it.parameterDefinitions() if d.flags() & optional]
+        for it in provider.algorithms()
+    }
+    for name in shipped(provider):
+        tree = ElementTree.parse(ROOT / "models" / f"{name}.model3")
+        for child in tree.iterfind(".//Option[@name='params']/.."):
+            values, step = child.find("Option[@name='params']"), child.find("Option[@name='alg_id']").get("value")
+            for parameter in spare.get(step, ()):
+                for value in values.findall(f"Option[@name='{parameter}']"):
+                    values.remove(value)
+                    dropped += 1
+        tree.write(tmp_path / f"{name}.model3")
+        model = QgsProcessingModelAlgorithm()
+        assert model.fromFile(str(tmp_path / f"{name}.model3")) and faults_of(model) == [], name
+    assert dropped > 30
+
+
+MANDATORY = {
+    "directedviewshed": "INPUT DEM SECTOR MAX_DISTANCE",
+    "drapephoto": "INPUT DEM MAX_DISTANCE REFINE",
+    "extractskyline": "INPUT METHOD",
+    "horizonprofile": "INPUT DEM EYE_HEIGHT MAX_DISTANCE AZIMUTH_STEP",
+    "importphotos": "FOLDER RECURSIVE",
+    "labelpeaks": "INPUT DEM MAX_DISTANCE",
+    "maptopixel": "FEATURES INPUT DEM MAX_DISTANCE",
+    "measureoffsets": "INPUT",
+    "orientphotos": "INPUT DEM METHOD COMPASS",
+    "panorama": "INPUT DEM MAX_DISTANCE",
+    "photocoverage": "INPUT DEM MAX_DISTANCE",
+    "photoviewshed": "DEM MAX_DISTANCE SECTOR",
+    "pixeltomap": "INPUT DEM MAX_DISTANCE",
+    "simulatephotos": "INPUT DEM WIDTH HEIGHT FORMAT",
+    "whichphotos": "PLACES INPUT DEM MAX_DISTANCE",
+}
+"""Parameters that a model must give a value. A new one would make every saved model with that step invalid."""
+
+
+def test_no_algorithm_has_a_new_mandatory_parameter(provider):
+    optional = QgsProcessingParameterDefinition.Flag.FlagOptional
+    for algorithm in provider.algorithms():
+        if algorithm.name() not in MANDATORY:
+            continue
+        needed = {it.name() for it in algorithm.parameterDefinitions() if not (it.flags() & optional)}
+        needed -= {it.name() for it in algorithm.destinationParameterDefinitions()}
+        assert needed == set(MANDATORY[algorithm.name()].split()), algorithm.name()
+
+
+def test_an_optional_parameter_without_a_value_has_its_default(provider):
+    context, seen = QgsProcessingContext(), 0
+    advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    for algorithm in provider.algorithms():
+        readers = {"number": "parameterAsDouble", "distance": "parameterAsDouble", "boolean": "parameterAsBoolean"}
+        readers.update(enum="parameterAsEnum", band="parameterAsInt")
+        for it in algorithm.parameterDefinitions():
+            if not (it.flags() & advanced) or it.isDestination() or it.defaultValue() is None:
+                continue
+            read = getattr(algorithm, readers.get(it.type(), "parameterAsString"))
+            for given in ({}, {it.name(): None}):
+                assert read(given, it.name(), context) == it.defaultValue(), (algorithm.name(), it.name())
+            seen += 1
+    assert seen > 50

@@ -158,7 +158,7 @@ def test_photographs_dem_and_results_may_each_be_on_another_drive(run, scene, ot
     given = {name: str(results / file) for name, file in outputs.items()}
     found, _ = run("photoviewshed", {"FOLDER": str(photos), "DEM": str(scene.dem), "MAX_DISTANCE": 5000, **given})
     assert found["ACCEPTED"] == 1
-    assert sorted(path.name for path in results.iterdir()) == sorted(outputs.values())
+    assert sorted(path.name for path in results.iterdir()) == sorted([*outputs.values(), "seen.qml"])
     assert sorted(path.name for path in (results / "rasters").iterdir()) == ["north.qml", "north.tif"]
 
 

@@ -94,3 +94,21 @@ def level_scores(answers, score=None):
     finding = answers.finding
     level = np.full(len(finding.score), finding.score[0] if score is None else score)
     return replace(answers, finding=replace(finding, score=level))
+
+
+def test_the_curve_agrees_with_the_answer_of_a_rolled_photo(match_scenes):
+    """At a large roll the coarse search scores another heading higher than that of the answer."""
+    rolled = match_scenes.scene(4, 97.3, roll_deg=9.0)
+    found = find_answers(rolled.inputs())
+    heading, score = found.curve()
+    assert np.abs((heading[score.argmax()] - found.trials[0, 0] + 180) % 360 - 180) < 0.5
+    assert score.max() == pytest.approx(found.finding.score[0])
+    for trial, own in zip(found.trials, found.finding.score):
+        near = np.abs((heading - trial[0] + 180) % 360 - 180) <= 1.0
+        assert score[near].max() >= own - 1e-9
+
+
+def test_the_curve_takes_no_score_from_a_hint(answers):
+    judged, _, _ = judge(answers, HeadingPrior(answers.trials[0, 0] + 90.0, 10.0))
+    assert judged.hint is not None
+    np.testing.assert_allclose(judged.curve()[1], answers.curve()[1])
