@@ -11,7 +11,7 @@ import logging
 import os
 import signal
 import sys
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, TextIO
@@ -100,11 +100,10 @@ class Run:
         for number, photo in enumerate(photos, start=1):
             self.statuses[photo.status] += 1
             self.rows.append(photo_row(photo, self.given.max_distance))
+            name, failed = os.path.basename(photo.path), photo.status == "failed"
             heading = "" if photo.heading_deg is None else f", heading {photo.heading_deg:.1f}°"
-            line = f"{number}/{len(self.paths)} {os.path.basename(photo.path)}: {photo.status}{heading}"
-            if photo.status == "failed":
-                line = f"{PROGRAM}: {os.path.basename(photo.path)}: {_in_options(photo.message)}"
-            self.bar.say(line, always=photo.status == "failed")
+            line = f"{number}/{len(self.paths)} {name}: {photo.status}{heading}"
+            self.bar.say(f"{PROGRAM}: {name}: {_in_options(photo.message)}" if failed else line, always=failed)
             if self.given.viewsheds and photo.view is not None:
                 if photo.status in RELIABLE or self.given.doubtful:
                     self._write_viewshed(photo)
@@ -119,11 +118,10 @@ class Run:
         options = api.ViewshedOptions(max_distance_m=self.given.viewshed_distance)
         try:
             seen = api.viewshed(self.dem, photo, options=options, progress=Quietly(self.bar))
+            facts = {"PHOTO": photo.path, "HEADING": photo.heading_deg}
+            api.save_viewshed(seen, self.dem, self.given.viewsheds / f"{stem}.tif", facts)
         except api.PhotoError as error:
             self.bar.say(f"{PROGRAM}: {os.path.basename(photo.path)}: {_in_options(str(error))}", always=True)
-            return
-        facts = {"PHOTO": photo.path, "HEADING": photo.heading_deg}
-        api.save_viewshed(seen, self.dem, self.given.viewsheds / f"{stem}.tif", facts)
 
 
 def orient(given: argparse.Namespace, bar: Bar) -> int:
@@ -139,11 +137,9 @@ def orient(given: argparse.Namespace, bar: Bar) -> int:
         given.viewsheds.mkdir(parents=True, exist_ok=True)
     if given.report:
         facts = {"DEM": Path(given.dem).name, "Method": given.method, "Compass": given.compass}
-        facts["Search range (m)"] = f"{given.max_distance:g}"
-        api.save_report(run, given.report, facts=facts)
+        api.save_report(run, given.report, facts={**facts, "Search range (m)": f"{given.max_distance:g}"})
     else:
-        for _ in run:
-            pass
+        deque(run, maxlen=0)
     write_points(given.output, point_fields(), run.rows)
     counts = ", ".join(f"{count} {status}" for status, count in sorted(run.statuses.items()))
     bar.say(f"{len(run.rows)} photos: {counts}. Written to {given.output}.")

@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Fotos zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed: Fotos und Höhenmodell wählen und starten</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Beginnen Sie mit der Berg-Schaltfläche in der Werkzeugleiste oder in der Verarbeitungswerkzeugkiste.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Erneut zu orientierende Fotos</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Zu aktualisierender Layer</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Aktualisierter Layer</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Orientiert einige Fotos eines Layers erneut, mit ungefährer Blickrichtung oder Landmarken, falls Sie sie angeben, aktualisiert den Layer und berechnet das Gelände neu, das seine Fotos zeigen.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Liest JPEG-Fotos mit Koordinaten durch den QGIS-eigenen Import, orientiert sie und berechnet das Gelände, das sie zeigen.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>Der Layer der orientierten Fotos; wählen Sie die Fotos aus und haken Sie „Nur gewählte Objekte“ an.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>Der Layer, der die neuen Ergebnisse erhält; meist derselbe. Er wird verändert.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Ungefähre geographische Blickrichtung, im Uhrzeigersinn von Nord. Die Antwort muss in ihrer Nähe liegen. NULL: keine.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Punkte der Karte, die in Fotos zu sehen sind, mit den Feldern photo, x und y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modell: georeferenzierte Fotos zu Sichtfeldern</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modell: aufgezeichnete Blickrichtungen zu Sichtfeldern</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modell: Fotos erneut orientieren</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -452,6 +529,137 @@
         <translation>{share} % des sichtbaren Geländes liegen dort, wo das Bild Himmel zeigt, und wurden nicht drapiert. Prüfen Sie Blickrichtung, Nickwinkel und Höhe der Kamera.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Blickrichtungen exportieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>Foto,Blickrichtung,Export,XMP,Sidecar,KML,KMZ,PhotoOverlay,CSV,Google Earth,Lightroom,digiKam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Blickrichtungen als XMP-Begleitdateien, KML oder KMZ mit den Bildern und CSV-Tabelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Schreibt die Blickrichtungen orientierter Fotos für andere Programme. Die Fotos selbst werden nie verändert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>&lt;b&gt;Begleitdateien&lt;/b&gt; heißen IMG_1.jpg.xmp, wie digiKam, darktable und ExifTool sie lesen, mit GPSImgDirection gegen geographisch Nord. Die Ordner unterhalb des gemeinsamen Ordners der Fotos bleiben erhalten; wählen Sie also diesen gemeinsamen Ordner, damit jede Begleitdatei neben ihrem Foto liegt. Begleitdateien anderer Programme bleiben unberührt. &lt;b&gt;KMZ&lt;/b&gt; enthält verkleinerte Bilder; &lt;b&gt;KML&lt;/b&gt; verweist auf die Originale. Google Earth zeigt jedes Bild an seinem Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Nur Fotos mit dem Status &lt;i&gt;accepted&lt;/i&gt; oder &lt;i&gt;confirmed&lt;/i&gt; oder ohne Status werden exportiert, es sei denn, Sie verlangen auch die zweifelhaften.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>Im Uhrzeigersinn von geographisch Nord.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>Auch zweifelhafte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exportiert auch Fotos, deren Blickrichtung nicht verlässlich ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Eine XMP-Datei pro Foto. Wählen Sie den gemeinsamen Ordner der Fotos, damit jede neben ihrem Foto liegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Ordner für XMP-Begleitdateien</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML oder KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>KMZ-Dateien (*.kmz);;KML-Dateien (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Für Google Earth; KMZ enthält die Bilder.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Eine Zeile pro Foto, für Tabellenprogramme.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Anzahl ausgelassener Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Wählen Sie mindestens eine Ausgabe: den Ordner für Begleitdateien, die KML-Datei oder die Tabelle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Kein Foto des Layers hat eine Blickrichtung, die sich exportieren lässt. Orientieren Sie die Fotos zuerst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} Blickrichtungen exportiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>ausgelassen, weil keine Blickrichtung bekannt ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>ausgelassen, weil der Status {status} ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>unverändert, weil ein anderes Programm {path} geschrieben hat.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Horizontlinie ausziehen</translation>
@@ -519,6 +727,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -698,16 +907,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Tabelle der Dateien, die keinen Punkt ergeben haben, mit dem Grund.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Anzahl der Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -907,8 +1106,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Punkte in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen. Das Feld state gibt an, ob das Foto sie zeigt.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Punkte in Pixeln des Fotos, wie QGIS es zeigt (nicht gedreht), mit negativem y für Zeilen; x_px und y_px zählen im aufrechten Bild. Das Feld state sagt, ob das Foto sie zeigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -917,8 +1116,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Linien und Umrisse in Pixeln des aufrecht stehenden Bildes, mit negativem y für die Zeilen, getrennt, wo sich ihre Sichtbarkeit ändert.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Linien und Umrisse in Pixeln des Fotos, wie QGIS es zeigt (nicht gedreht), mit negativem y für Zeilen, geteilt, wo sich ihre Sichtbarkeit ändert.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1064,6 +1263,116 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Mean signed elevation offset (°)</source>
         <translation>Mittlere Höhenwinkelabweichung mit Vorzeichen (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Orientierte Fotos zusammenführen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>Foto,Blickrichtung,aktualisieren,zusammenführen,Rettung,erneut,mehrdeutig,abgelehnt,verbinden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Aktualisiert einen Layer orientierter Fotos mit erneut orientierten Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Wenn einige Fotos mit einem Hinweis oder einer Landmarke erneut orientiert wurden, kommen ihre Ergebnisse hiermit in den Layer, aus dem sie stammen. Fotos werden an ihrem Pfad erkannt; alle anderen Fotos, alle übrigen Felder und die Positionen der Punkte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>Der Layer selbst wird verändert. Wird er gerade bearbeitet, kommen die Änderungen zu Ihren ungespeicherten hinzu und lassen sich rückgängig machen. Führen Sie danach &lt;i&gt;Gerichtetes Sichtfeld&lt;/i&gt; mit ihm aus, um das sichtbare Gelände zu erneuern, oder verwenden Sie &lt;i&gt;Modell: Fotos erneut orientieren&lt;/i&gt;, das alle drei Schritte ausführt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Orientierte Fotos eines früheren Laufs. Dieser Layer wird verändert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Erneut orientierte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>Die Ausgabe von „Fotos orientieren“ für einige Fotos dieses Layers.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Besseren Status behalten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Ein Foto, dessen neuer Status schlechter ist als der bisherige, behält sein bisheriges Ergebnis.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Anzahl aktualisierter Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Anzahl der Fotos, die einen besseren Status behalten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Anzahl der Fotos, die der Layer nicht hat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} lässt sich nicht verändern. Speichern Sie den Layer zuerst als GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} hat kein Feld {field}. Wählen Sie einen Layer orientierter Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name}: Der Layer hat dieses Foto nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name}: bleibt {before}; das neue Ergebnis ist {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} Fotos aktualisiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} kommt mehrfach vor; der beste Status wird verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} lässt sich jetzt nicht verändern.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>ein Wert passt nicht in sein Feld</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} wurde nicht verändert: {reason}</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1310,11 +1619,6 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>Fotos zu Sichtfeldern</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
         <translation>Foto,Sichtfeld,Blickrichtung,Orientierung,Horizontlinie,Sichtbarkeit,HEIC,EXIF,Bericht,Stapel,viewshed</translation>
     </message>
@@ -1541,6 +1845,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Felder wurden umbenannt, weil das Ausgabeformat den Namen für sich behält: {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1669,6 +1978,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>Das Feld {field} enthält Bilder, keine Pfade. Speichern Sie die Bilder als Dateien und wählen Sie ein Feld mit ihren Pfaden (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1801,6 +2115,24 @@
         <translation>1 (freier Himmel)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
@@ -1903,23 +2235,28 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Kein orientierter Fotopunkt für: {names}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
         <translation>{count} von {total} Bildobjekten reichen über das Bild von {width} x {height} Pixeln hinaus; außerhalb wird nichts verortet. Prüfen Sie, ob sie auf diesem Bild gezeichnet wurden und nicht auf einer verkleinerten, beschnittenen oder gedrehten Kopie.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Bildwinkel des aufrecht stehenden Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Bildwinkel des aufrechten Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet. Felder namens k1 und k2 geben die Verzeichnung des Objektivs an (Brown, wie in OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Absolute Höhe der Kamera im Höhensystem des DGM. NULL: DGM plus Kamerahöhe.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Horizontaler Bildwinkel aller Fotos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Für Fotos eines Objektivs ohne Brennweite in den Dateien, durch die Mitte des aufrechten Bildes. Ein Wert im Feld hat Vorrang.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1956,6 +2293,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} Fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} kann die Felder der Fotopunkte nicht aufnehmen: {reason} Schreiben Sie ein GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2001,6 +2343,60 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Band that holds the heights.</source>
         <translation>Kanal mit den Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>wie in der Datei angegeben</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>Fuß (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Einheit der Höhen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Einheit der Höhen im Höhenmodell. Viele Dateien in Fuß oder Dezimetern geben das nicht an; ohne Einheit in der Datei werden Meter angenommen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2138,6 +2534,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>ohne Endung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Dateien, die nicht als Fotos gelesen wurden: {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>In {folder} wurde kein Foto (JPEG, HEIC) gefunden. Wählen Sie einen anderen Ordner oder beziehen Sie seine Unterordner ein.</translation>
     </message>
@@ -2147,14 +2553,19 @@
         <translation>Der Punkt nennt kein Foto; es gibt kein Bild zum Einzeichnen.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Keine installierte Schrift hat alle Zeichen von {names}, daher zeigt das PNG Kästchen; das SVG ist richtig. Installieren Sie eine Schrift für diese Schreibung, zum Beispiel eine Noto Sans, und starten Sie erneut.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Bildobjekte</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Punkte, Linien oder Polygone, deren Koordinaten Pixel des aufrecht stehenden Bildes sind (wie in QGIS über dem Foto selbst gezeichnet, wo y negativ ist, oder y nach unten gezählt), oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne dieses gehören die Objekte zu jedem Foto.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Punkte, Linien oder Polygone, wie in QGIS über dem Foto selbst gezeichnet (nicht gedreht, y negativ), oder in Pixeln des aufrechten Bildes mit y nach unten gezählt, oder eine Tabelle mit den Feldern x und y. Ein Feld photo nennt das Foto; ohne es gehören die Objekte zu jedem Foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2187,6 +2598,26 @@
         <translation>Die Bildobjekte haben weder eine Geometrie in Pixeln noch die Felder x und y; sie haben {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Mehrere Fotos haben diese Namen, daher wurden die Objekte ausgelassen: {names}. Geben Sie auch die Ordner an, zum Beispiel day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Kein orientierter Fotopunkt für: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Die Objekte wurden auf einer Datei von {bytes} Byte gezeichnet, einer anderen Kopie dieses Fotos. Ist diese Kopie verkleinert, liegen sie am falschen Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>ja</translation>
@@ -2198,16 +2629,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Feld mit einer ungefähren Blickrichtung (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Ungefähre geographische Blickrichtung, im Uhrzeigersinn von Nord. Die Antwort muss in ihrer Nähe liegen. NULL: keine.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Feld mit der Toleranz dieser Blickrichtung (°)</translation>
     </message>
@@ -2215,11 +2636,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Wie weit die Blickrichtung von der ungefähren abweichen darf. NULL: 20 Grad.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Landmarken</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2248,6 +2664,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter}: Mehrere Fotos haben den Namen {names}. Geben Sie auch die Ordner an, zum Beispiel day1/IMG_0001.jpg; legen Sie Himmelsmasken in Ordner mit denselben Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>Die Tabelle {parameter} braucht die Felder photo, x und y (oder column und row); sie hat {fields}.</translation>
     </message>
@@ -2265,6 +2686,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Ordner für eine Abbildung je Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name}: {verdict}, Blickrichtung {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{names} and {count} more</source>
+        <translation>{names} und {count} weitere</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Prüfen Sie diese Fotos ({verdict}): {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>noch etwa {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>noch etwa {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>noch etwa {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2383,14 +2834,24 @@
         <translation>Fotos mit dem Status „gescheitert“ haben keine Blickrichtung und können nicht verwendet werden.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Stil des Plugins Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Weitere Felder</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Gipfel</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Punkte mit Namen und Höhen. Leer: Gipfel werden im DGM nach ihrer Schartenhöhe gesucht.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Punkte mit Namen und Höhen, oder ein OpenStreetMap-Auszug auf Ihrem Datenträger (.osm, .osm.pbf), aus dem die Gipfel gelesen werden. Leer: Gipfel werden im DGM nach ihrer Prominenz gesucht.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2405,8 +2866,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Auch Text wie 4478 wird gelesen.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>Auch Text wie 4478, 4478 m oder 14692 ft wird gelesen. Höhen, denen das DGM widerspricht, werden nicht verwendet.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2427,6 +2888,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: die veröffentlichte Position verwenden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>Die veröffentlichte Höhe von {height} m widerspricht dem DGM (dort {top} m), daher wird die Höhe des DGM verwendet. Ist sie in Fuß, schreiben Sie 'ft' dahinter.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3034,12 +3500,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>Name of the place</source>
         <translation>Name des Orts</translation>
     </message>
@@ -3291,6 +3751,11 @@
         <translation>Rechter Rand der Sicht (° von Gitternord), für Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>Die Position ist auf {metres} m unsicher, wodurch die Blickrichtung um mehr als 3 Grad unsicher bleibt. Berichtigen Sie die Position.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>Das Foto {path} kann nicht gelesen werden: {reason}</translation>
@@ -3321,6 +3786,81 @@
         <translation>Die Bildobjekte {path} können nicht gelesen werden: {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Die angegebene Höhe der Kamera liegt {metres} m unter der Oberfläche des DGM, daher wird das Ergebnis nicht angenommen. Prüfen Sie HEIGHT_FIELD und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM, mehr als GPS und DGM zulassen, daher wird das Ergebnis nicht angenommen. Prüfen Sie die Position des Fotos und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM, mehr als GPS und DGM zulassen, daher wird das Ergebnis nicht angenommen. Prüfen Sie die Position des Fotos und das DGM; schalten Sie für eine Drohne USE_ALTITUDE ein.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m über der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>Die Horizontlinie passt am besten von {metres} m unter der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM und wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM; das DGM wurde verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, als wären seine Höhen in {unit} angegeben. Stellen Sie die Einheit der Höhen des DGM ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, als wären diese in Fuß angegeben. Das Programm, das sie geschrieben hat, irrt sich; für die Höhe der Kamera wird das DGM verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab, fast überall gleich viel, als bezöge sich eines von beiden auf das Ellipsoid oder ein anderes Höhendatum. Verwenden Sie ein DGM mit Höhen über dem Meer.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab. Prüfen Sie, ob das DGM Höhen enthält, deren Einheit (DEM_UNIT) und Höhendatum sowie die Positionen der Fotos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} braucht das Python-Paket {package}. {hint}</translation>
@@ -3341,9 +3881,39 @@
         <translation>Führen Sie aus: {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>Das Foto hat keine GPS-Position. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>Die GPS-Position ist auf {km} km unsicher, zu viel für einen Horizont, daher wird die richtige benötigt. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Die Objekte wurden auf dem Bild gezeichnet, wie es gespeichert ist; sie wurden mit ihm gedreht.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Die Objekte wurden auf einer Kopie von {width} x {height} Pixeln gezeichnet; sie wurden auf das Foto umgerechnet.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Die Objekte wurden auf einem Bild von {width} x {height} Pixeln gezeichnet, das keine verkleinerte Kopie dieses Fotos von {photo_width} x {photo_height} Pixeln ist. Zeichnen Sie sie auf dem Foto selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>Das Foto ist ein zusammengesetztes Panorama und nicht das Bild eines einzigen Objektivs. Verwenden Sie ein einzelnes Foto, oder geben Sie den horizontalen Bildwinkel in HFOV_FIELD an, wenn das Panorama geradlinig (rektilinear) ist.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Ein Objektiv mit k1 = {k1} und k2 = {k2} würde das Bild vor seiner Ecke falten. Berichtigen Sie k1 und k2: Es sind die von OpenCV, für Radien in Brennweiten.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3351,44 +3921,20 @@
         <translation>Die gezeichnete Horizontlinie reicht über das Bild von {width} x {height} Pixeln hinaus. Zeichnen Sie sie auf diesem Bild, nicht auf einer verkleinerten oder gedrehten Kopie.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>Die Horizontlinie passt am besten von {metres} m über der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>Die Horizontlinie passt am besten von {metres} m unter der Oberfläche des DGM; diese Höhe wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe bezieht sich auf das Ellipsoid, nicht auf den Meeresspiegel; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM und wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m über der Oberfläche des DGM; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>Die aufgezeichnete Höhe liegt {metres} m unter der Oberfläche des DGM; das DGM wurde verwendet.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>beschriftetes Foto</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Text in Bildern braucht eine TrueType-Schrift, aber weder DejaVu Sans noch Arial, Liberation Sans oder Helvetica ist installiert. Installieren Sie eine davon, zum Beispiel mit dem Paket fonts-dejavu-core, oder installieren Sie ein neueres Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Das Zeichnen und Schreiben von Bildern</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3507,16 +4053,6 @@
         <translation>Der Horizont ist beim Azimut {azimuth} am höchsten: Sein Höhenwinkel beträgt dort {angle} Grad, seine Entfernung {distance}. Der Median der Höhenwinkel beträgt {median} Grad. In {share} % der Richtungen endet das DGM, bevor höheres Gelände ausgeschlossen ist.</translation>
     </message>
     <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Das Zeichnen und Schreiben von Bildern</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>Text in Bildern braucht eine TrueType-Schrift, aber weder DejaVu Sans noch Arial, Liberation Sans oder Helvetica ist installiert. Installieren Sie eine davon, zum Beispiel mit dem Paket fonts-dejavu-core, oder installieren Sie ein neueres Pillow.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Wertung über alle Blickrichtungen</translation>
@@ -3588,6 +4124,41 @@
         <translation>Es gibt keine Transformation von {source} nach {target}. Verwenden Sie ein DGM in einem gebräuchlichen Koordinatensystem.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Das DGM {path} ist ein Bild mit einer Farbpalette und kein Raster mit Höhen. Wählen Sie das Höhenraster selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Das DGM {path} hat nur 8 Bit je Zelle wie eine Schummerung oder ein anderes Bild des Geländes. Wählen Sie das Höhenraster selbst; wenn es sich um Höhen handelt, stellen Sie deren Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>Das DGM {path} enthält als Farben kodierte Höhen (Terrain-RGB, {name}). Dekodieren Sie sie zuerst mit dem Rasterrechner: {formula}; R, G und B sind die Kanäle.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Das DGM {path} ist ein Farbbild (Rot, Grün, Blau) und kein Raster mit Höhen. Wählen Sie das Höhenraster selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>Kanal {band} des DGM {path} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>Das DGM {path} hat Werte bis {highest}, die keine Höhen in Metern sind: vielleicht sind es Dezimeter oder Zentimeter. Stellen Sie die Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Die Werte des DGM {path} liegen zwischen {low} und {high} und ändern sich von Zelle zu Zelle wie bei einer Schummerung, Neigungs- oder Expositionskarte, nicht wie Höhen. Wählen Sie das Höhenraster selbst; wenn es sich um Höhen handelt, stellen Sie deren Einheit ein (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>Die Datei ist größer als 200 MB. Teilen Sie sie nach Fotos auf.</translation>
@@ -3632,6 +4203,11 @@
         <location filename="../core/io/features.py"/>
         <source>line {number} is incomplete ({reason}). Correct that line.</source>
         <translation>Zeile {number} ist unvollständig ({reason}). Berichtigen Sie diese Zeile.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Der Inhalt des Ordners {folder} ist nicht zu lesen: {reason}. Prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3699,6 +4275,46 @@
         <translation>Das DGM {path} ist gegen sein KBS gedreht. Transformieren Sie es zuerst auf ein nach Norden ausgerichtetes Gitter (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Die Werte des DGM sind in {unit} angegeben, was hier nicht als Einheit von Höhen bekannt ist. Wählen Sie ein Höhenraster, oder stellen Sie die Einheit seiner Höhen ein (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>Die Höheneinheit {unit} ist nicht bekannt. Geben Sie metres, feet, us-ft, dm, cm, km oder eine Anzahl Meter an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Formen ohne lesbaren Umriss wurden ausgelassen: {kinds}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Die aufgezeichnete kleinbildäquivalente Brennweite von {recorded} mm widerspricht der aufgezeichneten Brennweite und dem Sensor, aus denen {derived} mm folgen. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Kein Objektiv hat die aufgezeichnete kleinbildäquivalente Brennweite von {recorded} mm; sie wurde nicht beachtet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>Die aufgezeichnete kleinbildäquivalente Brennweite enthält den Digitalzoom nicht: Statt {recorded} mm wurden {used} mm verwendet.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Die aufgezeichneten Koordinaten sind keine Zahlen (kein GPS-Empfang) und wurden nicht verwendet.</translation>
@@ -3720,18 +4336,33 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>Die kleinbildäquivalente Brennweite wurde aus der Brennweite und der Auflösung der Bildebene abgeleitet.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>Das GPS hatte bei der Aufnahme keinen Empfang, daher kann die Position die eines anderen Ortes sein.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>Das Bild ist beschnitten: Statt {recorded} mm wurde eine kleinbildäquivalente Brennweite von {used} mm verwendet. Wenn Sie den horizontalen Bildwinkel kennen, geben Sie ihn in HFOV_FIELD an.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>Die GPS-Position ist ungenau (DOP {dop}): Es wurde ein Fehler von {metres} m angenommen.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>Der Inhalt des Ordners {folder} ist nicht zu lesen: {reason}. Prüfen Sie den Pfad.</translation>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>Das Bild ist ein Panorama von {angle} Grad und nicht das eines einzigen Objektivs; sein Bildwinkel ist unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>Das Bild ist ein Panorama und nicht das eines einzigen Objektivs; sein Bildwinkel ist unbekannt.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>Der OpenStreetMap-Auszug {path} kann nicht gelesen werden: {reason}. Laden Sie ihn erneut herunter.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>er hat ein anderes Format</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
@@ -3764,9 +4395,14 @@
         <translation>Das DGM {path} ist beschädigt ({reason}). Kopieren Sie es neu.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>Kanal {band} des DGM {path} hat keine gültige Zelle. Wählen Sie ein anderes DGM.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>Die Datei ist eine Rohdatei einer Kamera, die zuerst als JPEG exportiert werden muss.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>Ihre erste Seite mit {width} x {height} Pixeln ist ein Vorschaubild eines größeren Bildes. Exportieren Sie dieses als JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4046,11 +4682,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Lage</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Zuordnung</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4439,6 +5070,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>Die gegebene Horizontlinie oder Himmelsmaske hat keinen Übergang vom Himmel zum Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>Das Bild zeigt keine Horizontlinie: Keine Linie trennt Himmel und Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>Das Bild zeigt keine Horizontlinie von Bergen: Seine Linien sind waagerecht und senkrecht wie in einem Raum.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

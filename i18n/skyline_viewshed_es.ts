@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>De fotos a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed: elegir fotos y un modelo de elevación, y ejecutar</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Empiece con el botón de la montaña de la barra de herramientas, o en la caja de herramientas de procesos.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Fotos que se orientan de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Capa que se actualiza</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Campo con un rumbo aproximado (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Capa actualizada</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Orienta de nuevo algunas fotos de una capa, con un rumbo aproximado o puntos de referencia si los indica, actualiza la capa y vuelve a calcular el terreno que muestran sus fotos.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Lee fotografías JPEG georreferenciadas con el importador propio de QGIS, las orienta y calcula el terreno que muestran.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>La capa de fotos orientadas; seleccione las fotos y marque la casilla de objetos seleccionados.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>La capa que recibe los nuevos resultados; normalmente la misma. Se modifica.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Rumbo geográfico aproximado, en sentido horario desde el norte. La respuesta debe estar cerca de él. NULL: ninguno.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Puntos del mapa visibles en las fotos, con los campos photo, x e y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modelo: de fotos georreferenciadas a cuencas visuales</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modelo: de rumbos registrados a cuencas visuales</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modelo: orientar fotos de nuevo</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -452,6 +529,137 @@
         <translation>El {share} % del terreno visible cae donde la imagen muestra cielo y no se ha proyectado. Compruebe el rumbo, el cabeceo y la elevación de la cámara.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Exportar rumbos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>foto,rumbo,exportar,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Rumbos como archivos XMP adjuntos, KML o KMZ con las imágenes y una tabla CSV</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Escribe los rumbos de fotos orientadas para otros programas. Las fotos mismas no se modifican nunca.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>Los &lt;b&gt;archivos adjuntos&lt;/b&gt; se llaman IMG_1.jpg.xmp, como los leen digiKam, darktable y ExifTool, con GPSImgDirection respecto al norte verdadero. Se conservan las carpetas que hay debajo de la carpeta común de las fotos; elija esa carpeta común para tener cada archivo junto a su foto. Los archivos de otros programas no se tocan. &lt;b&gt;KMZ&lt;/b&gt; contiene imágenes reducidas; &lt;b&gt;KML&lt;/b&gt; remite a los originales. Google Earth muestra cada imagen en su sitio.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Solo se exportan fotos con el estado &lt;i&gt;accepted&lt;/i&gt; o &lt;i&gt;confirmed&lt;/i&gt;, o sin estado, salvo que pida también las dudosas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>En sentido horario desde el norte verdadero.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>También fotos dudosas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exporta también fotos cuyo rumbo no es fiable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Un archivo XMP por foto. Elija la carpeta común de las fotos para tener cada uno junto a su foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Carpeta para archivos XMP adjuntos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML o KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>Archivos KMZ (*.kmz);;Archivos KML (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Para Google Earth; KMZ contiene las imágenes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>Archivos CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Una línea por foto, para hojas de cálculo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Número de fotos omitidas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Elija al menos una salida: la carpeta de archivos adjuntos, el archivo KML o la tabla.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Ninguna foto de la capa tiene un rumbo que se pueda exportar. Oriente primero las fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} rumbos exportados.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>omitida, porque no tiene rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>omitida, porque su estado es {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>sin cambios, porque otro programa escribió {path}.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Extraer la línea del horizonte</translation>
@@ -519,6 +727,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -698,16 +907,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Tabla de los archivos que no produjeron ningún punto, con el motivo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Número de fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -907,8 +1106,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Puntos en píxeles de la imagen enderezada, con y negativa para las filas. El campo state indica si la foto los muestra.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Puntos en píxeles de la foto tal como la muestra QGIS (sin girar), con y negativa para las filas; x_px e y_px cuentan en la imagen derecha. El campo state dice si la foto los muestra.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -917,8 +1116,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Líneas y contornos en píxeles de la imagen enderezada, con y negativa para las filas, cortados donde cambia su visibilidad.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Líneas y contornos en píxeles de la foto tal como la muestra QGIS (sin girar), con y negativa para las filas, cortados donde cambia su visibilidad.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1064,6 +1263,116 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Mean signed elevation offset (°)</source>
         <translation>Desviación media con signo en elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Combinar fotos orientadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>foto,rumbo,actualizar,combinar,rescate,de nuevo,ambiguo,rechazado,unir</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Actualiza una capa de fotos orientadas con fotos orientadas de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Cuando algunas fotos se han orientado de nuevo, con una pista o un punto de referencia, esto lleva sus resultados a la capa de la que proceden. Las fotos se reconocen por su ruta; las demás fotos, los demás campos y las posiciones de los puntos quedan como están.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>La capa misma se modifica. Si se está editando, los cambios se suman a los suyos no guardados y se pueden deshacer. Ejecute después &lt;i&gt;Cuenca visual dirigida&lt;/i&gt; con ella para renovar el terreno visible, o use &lt;i&gt;Modelo: orientar fotos de nuevo&lt;/i&gt;, que hace los tres pasos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Fotos orientadas de una ejecución anterior. Esta capa se modifica.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Fotos orientadas de nuevo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>La salida de «Orientar fotos» para algunas fotos de esa capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Conservar un estado mejor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Una foto cuyo nuevo estado es peor que el actual conserva su resultado actual.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Número de fotos actualizadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Número de fotos que conservan un estado mejor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Número de fotos que la capa no tiene</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} no se puede modificar. Guárdela antes como GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} no tiene el campo {field}. Elija una capa de fotos orientadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name}: la capa no tiene esta foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name}: sigue {before}; el nuevo resultado es {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} fotos actualizadas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} aparece más de una vez; se usa su mejor estado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} no se puede modificar ahora.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>un valor no cabe en su campo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} no se modificó: {reason}</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1310,11 +1619,6 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>De fotos a cuencas visuales</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
         <translation>foto,cuenca visual,rumbo,orientación,línea del horizonte,visibilidad,HEIC,EXIF,informe,lote,viewshed</translation>
     </message>
@@ -1541,6 +1845,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Campos renombrados porque el formato de salida reserva el nombre: {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1669,6 +1978,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>El campo {field} contiene imágenes, no rutas. Guarde las imágenes como archivos y elija un campo con sus rutas (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1801,6 +2115,24 @@
         <translation>1 (cielo abierto)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
@@ -1903,23 +2235,28 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>No hay punto de foto orientada para: {names}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
         <translation>{count} de {total} objetos de imagen sobresalen de la imagen de {width} x {height} píxeles; lo que queda fuera no se sitúa. Compruebe que se dibujaron sobre esta imagen y no sobre una copia reducida, recortada o girada.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Ángulo de visión de la imagen enderezada, a través de su centro. NULL: se calcula según la distancia focal del archivo.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Campo de visión de la imagen derecha, por su centro. NULL: se calcula con la distancia focal del archivo. Los campos k1 y k2 dan la distorsión del objetivo (Brown, como en OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitud absoluta de la cámara en el sistema altimétrico del MDE. NULL: MDE más altura de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Campo de visión horizontal de todas las fotos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Para fotos de un mismo objetivo sin distancia focal en sus archivos, por el centro de la imagen derecha. Un valor en el campo tiene prioridad.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1956,6 +2293,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} fotos: {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} no puede contener los campos de los puntos de foto: {reason} Escriba un GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2001,6 +2343,60 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Band that holds the heights.</source>
         <translation>Banda que contiene las altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>según el archivo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>pies (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>pies topográficos de EE. UU.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>decímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>kilómetros</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Unidad de las alturas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Unidad de las alturas del modelo de elevación. Muchos archivos en pies o decímetros no lo indican; si el archivo no da ninguna unidad, se suponen metros.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2138,6 +2534,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>sin extensión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Archivos que no se leyeron como fotos: {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>No se encontró ninguna fotografía (JPEG, HEIC) en {folder}. Elija otra carpeta o incluya sus subcarpetas.</translation>
     </message>
@@ -2147,14 +2553,19 @@
         <translation>El punto no nombra ninguna foto, así que no hay imagen sobre la que dibujar.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Ninguna fuente instalada tiene todos los caracteres de {names}, por lo que el PNG muestra recuadros; el SVG es correcto. Instale una fuente para esta escritura, por ejemplo una Noto Sans, y ejecute de nuevo.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Objetos de la imagen</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Puntos, líneas o polígonos cuyas coordenadas son píxeles de la imagen enderezada (dibujados en QGIS sobre la propia foto, donde y es negativa, o con y contada hacia abajo), o una tabla con los campos x e y. Un campo photo nombra la fotografía; sin él, los objetos pertenecen a todas las fotos.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Puntos, líneas o polígonos dibujados en QGIS sobre la propia foto (sin girar, y negativa), o en píxeles de la imagen derecha con y contada hacia abajo, o una tabla con los campos x e y. Un campo photo nombra la foto; sin él los objetos pertenecen a todas las fotos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2187,6 +2598,26 @@
         <translation>Los objetos de la imagen no tienen ni geometría en píxeles ni los campos x e y; tienen {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Varias fotos tienen estos nombres, por lo que los objetos se omitieron: {names}. Escriba también las carpetas, por ejemplo day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>No hay punto de foto orientada para: {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Sus objetos se dibujaron sobre un archivo de {bytes} bytes, que es otra copia de esta foto. Si esa copia está reducida, están en un lugar equivocado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>sí</translation>
@@ -2198,16 +2629,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Campo con un rumbo aproximado (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Rumbo geográfico aproximado, en sentido horario desde el norte. La respuesta debe estar cerca de él. NULL: ninguno.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Campo con la tolerancia de ese rumbo (°)</translation>
     </message>
@@ -2215,11 +2636,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>Cuánto puede apartarse el rumbo del aproximado. NULL: 20 grados.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Puntos de referencia</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2248,6 +2664,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter}: varias fotos tienen el nombre {names}. Escriba también las carpetas, por ejemplo day1/IMG_0001.jpg; ponga las máscaras de cielo en carpetas con los mismos nombres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>La tabla {parameter} necesita los campos photo, x e y (o column y row); tiene {fields}.</translation>
     </message>
@@ -2265,6 +2686,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Carpeta para una figura por foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name}: {verdict}, rumbo {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{names} and {count} more</source>
+        <translation>{names} y {count} más</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Revise estas fotos ({verdict}): {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>quedan unos {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>quedan unos {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>quedan unas {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2383,14 +2834,24 @@
         <translation>Las fotos con el estado failed no tienen rumbo y no se pueden usar.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Estilo del complemento Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Otros campos</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Cimas</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Puntos con nombres y altitudes. Vacío: las cimas se buscan en el MDE por su prominencia.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Puntos con nombres y alturas, o un extracto de OpenStreetMap en su disco (.osm, .osm.pbf), del que se leen las cumbres. Vacío: las cumbres se buscan en el MDE por su prominencia.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2405,8 +2866,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>También se lee texto como 4478.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>También se lee texto como 4478, 4478 m o 14692 ft. Las alturas que el MDE contradice no se usan.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2427,6 +2888,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: usar la posición publicada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>La altura publicada de {height} m contradice el MDE ({top} m allí), por lo que se usa la altura del MDE. Si está en pies, escriba 'ft' detrás.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3034,12 +3500,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lugar</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>Name of the place</source>
         <translation>Nombre del lugar</translation>
     </message>
@@ -3291,6 +3751,11 @@
         <translation>Borde derecho de la vista (° desde el norte de la cuadrícula), para Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>La posición tiene una incertidumbre de {metres} m, por lo que el rumbo es incierto en más de 3 grados. Corrija la posición.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>No se puede leer la foto {path}: {reason}</translation>
@@ -3321,6 +3786,81 @@
         <translation>No se pueden leer los objetos de la imagen {path}: {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>La elevación indicada de la cámara queda {metres} m por debajo de la superficie del MDE, por lo que la respuesta no se acepta. Compruebe HEIGHT_FIELD y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE, más de lo que permiten el GPS y el MDE, por lo que la respuesta no se acepta. Compruebe la posición de la foto y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE, más de lo que permiten el GPS y el MDE, por lo que la respuesta no se acepta. Compruebe la posición de la foto y el MDE; para un dron, active USE_ALTITUDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por encima de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La línea del horizonte encaja mejor desde {metres} m por debajo de la superficie del MDE; se ha usado esa altura.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE y se usó.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE; se usó el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, como si sus alturas estuvieran en {unit}. Indique la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, como si estas estuvieran en pies. El programa que las escribió se equivoca; para la elevación de la cámara se usa el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas, casi lo mismo en todas partes, como si uno de los dos contara desde el elipsoide u otro dátum vertical. Use un MDE con alturas sobre el nivel del mar.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas. Compruebe que el MDE contenga alturas, su unidad (DEM_UNIT) y su dátum vertical, y las posiciones de las fotos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} necesita el paquete de Python {package}. {hint}</translation>
@@ -3341,9 +3881,39 @@
         <translation>Ejecute: {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La foto no tiene posición GPS. Indíquela con un punto en una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>La posición GPS tiene una incertidumbre de {km} km, demasiado para un horizonte, por lo que se necesita la correcta. Indíquela con un punto en una capa de puntos de fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Sus objetos se dibujaron sobre la imagen tal como está guardada; se giraron con ella.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Sus objetos se dibujaron sobre una copia de {width} x {height} píxeles; se escalaron a la foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Sus objetos se dibujaron sobre una imagen de {width} x {height} píxeles, que no es una copia reducida de esta foto de {photo_width} x {photo_height} píxeles. Dibújelos sobre la propia foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>La foto es un panorama compuesto, que no es la imagen de un solo objetivo. Use una sola foto o, si el panorama es rectilíneo, indique el ángulo de visión horizontal en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Un objetivo con k1 = {k1} y k2 = {k2} plegaría la imagen antes de su esquina. Corrija k1 y k2: son los de OpenCV, para radios en distancias focales.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3351,44 +3921,20 @@
         <translation>La línea del horizonte dibujada sobresale de la imagen de {width} x {height} píxeles. Dibújela sobre esta imagen, no sobre una copia reducida o girada.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>La línea del horizonte encaja mejor desde {metres} m por encima de la superficie del MDE; se ha usado esa altura.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>La línea del horizonte encaja mejor desde {metres} m por debajo de la superficie del MDE; se ha usado esa altura.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>La altitud registrada se refiere al elipsoide y no al nivel del mar; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE y se usó.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {metres} m por encima de la superficie del MDE; se usó el MDE.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>La altitud registrada queda {metres} m por debajo de la superficie del MDE; se usó el MDE.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>fotografía rotulada</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>El texto en las imágenes necesita un tipo de letra TrueType, pero no está instalado ninguno de estos: DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno de ellos, por ejemplo con el paquete fonts-dejavu-core, o instale una versión más reciente de Pillow.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Dibujar y escribir imágenes</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3507,16 +4053,6 @@
         <translation>El horizonte alcanza su máximo en el acimut {azimuth}: allí su ángulo de elevación es de {angle} grados y su distancia, de {distance}. La mediana del ángulo de elevación es de {median} grados. En el {share} % de las direcciones el MDE termina antes de que se pueda descartar terreno más alto.</translation>
     </message>
     <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Dibujar y escribir imágenes</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>El texto en las imágenes necesita un tipo de letra TrueType, pero no está instalado ninguno de estos: DejaVu Sans, Arial, Liberation Sans o Helvetica. Instale uno de ellos, por ejemplo con el paquete fonts-dejavu-core, o instale una versión más reciente de Pillow.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Puntuación en todos los rumbos</translation>
@@ -3588,6 +4124,41 @@
         <translation>No hay ninguna transformación disponible de {source} a {target}. Use un MDE en un sistema de coordenadas habitual.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>El MDE {path} es una imagen con paleta de colores, no un ráster de alturas. Elija el propio ráster de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>El MDE {path} tiene solo 8 bits por celda, como un sombreado u otra imagen del terreno. Elija el propio ráster de elevación; si son alturas, indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>El MDE {path} contiene alturas codificadas como colores (terrain-RGB, {name}). Descodifíquelas primero con la calculadora ráster: {formula}, donde R, G y B son las bandas.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>El MDE {path} es una imagen en color (rojo, verde, azul), no un ráster de alturas. Elija el propio ráster de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La banda {band} del MDE {path} no tiene ninguna celda válida. Elija otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>El MDE {path} tiene valores de hasta {highest}, que no son alturas en metros: quizá sean decímetros o centímetros. Indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Los valores del MDE {path} están entre {low} y {high} y cambian de celda a celda como los de un sombreado o un mapa de pendientes u orientaciones, no como alturas. Elija el propio ráster de elevación; si son alturas, indique su unidad (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>ocupa más de 200 MB. Divídalo por fotografías.</translation>
@@ -3632,6 +4203,11 @@
         <location filename="../core/io/features.py"/>
         <source>line {number} is incomplete ({reason}). Correct that line.</source>
         <translation>la línea {number} está incompleta ({reason}). Corrija esa línea.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>No se puede listar la carpeta {folder}: {reason}. Compruebe la ruta.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3699,6 +4275,46 @@
         <translation>El MDE {path} está girado respecto de su SRC. Transfórmelo antes a una malla orientada al norte (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Los valores del MDE están en {unit}, que no es una unidad de altura conocida aquí. Elija un ráster de elevación o indique la unidad de sus alturas (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>La unidad de alturas {unit} no se conoce. Indique metres, feet, us-ft, dm, cm, km o un número de metros.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Se omitieron las formas sin un contorno legible: {kinds}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>El equivalente en 35 mm registrado de {recorded} mm contradice la distancia focal y el sensor registrados, de los que resultan {derived} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Ningún objetivo tiene el equivalente en 35 mm registrado de {recorded} mm; se ha descartado.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>El equivalente en 35 mm registrado no incluye el zoom digital: se usaron {used} mm en lugar de {recorded} mm.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Las coordenadas registradas no son números (sin señal GPS) y se han ignorado.</translation>
@@ -3720,18 +4336,33 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>El equivalente en 35 mm se ha deducido de la distancia focal y la resolución del plano focal.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>El GPS no tenía señal cuando se tomó la foto, por lo que la posición puede ser la de otro lugar.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>La imagen está recortada: se usó un equivalente en 35 mm de {used} mm en lugar de {recorded} mm. Si conoce el ángulo de visión horizontal, indíquelo en HFOV_FIELD.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>La posición GPS es imprecisa (DOP {dop}): se supuso un error de {metres} m.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>No se puede listar la carpeta {folder}: {reason}. Compruebe la ruta.</translation>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>La imagen es un panorama de {angle} grados, no la de un solo objetivo; su ángulo de visión es desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>La imagen es un panorama, no la de un solo objetivo; su ángulo de visión es desconocido.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>No se puede leer el extracto de OpenStreetMap {path}: {reason}. Descárguelo de nuevo.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>tiene otro formato</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
@@ -3764,9 +4395,14 @@
         <translation>El MDE {path} está dañado ({reason}). Cópielo de nuevo.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>La banda {band} del MDE {path} no tiene ninguna celda válida. Elija otro MDE.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>es un archivo en bruto (RAW) de una cámara, que antes debe exportarse como JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>su primera página de {width} x {height} píxeles es una miniatura de una imagen mayor. Expórtela como JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4046,11 +4682,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Ajuste</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4439,6 +5070,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>La línea del horizonte o la máscara del cielo aportada no tiene paso de cielo a terreno.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>La imagen no muestra ninguna línea del horizonte: ninguna línea separa el cielo del terreno.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>La imagen no muestra ninguna línea de montañas: sus líneas son horizontales y verticales, como en una habitación.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

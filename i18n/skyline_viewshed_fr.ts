@@ -4,6 +4,22 @@
 <context>
     <name>SkylineViewshed</name>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Photos to viewsheds</source>
+        <translation>Des photos aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Skyline Viewshed: choose photos and an elevation model, and run</source>
+        <translation>Skyline Viewshed : choisir des photos et un modèle d'élévation, puis exécuter</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Begin with the mountain button in the toolbar, or in the Processing toolbox.</source>
+        <translation>Commencez par le bouton montagne de la barre d'outils, ou dans la boîte à outils de traitements.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -80,6 +96,40 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>Photos to orient again</source>
+        <translation>Photos à orienter de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Layer to update</source>
+        <translation>Couche à mettre à jour</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Field with an approximate heading (°)</source>
+        <translation>Champ d'un azimut approché (°)</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Landmarks</source>
+        <translation>Points de repère</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updated layer</source>
+        <translation>Couche mise à jour</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Orients some photographs of a layer again, with an approximate heading or landmarks if you give them, updates the layer, and computes anew the ground that its photographs show.</source>
+        <translation>Oriente de nouveau quelques photos d'une couche, avec un cap approximatif ou des repères si vous en donnez, met à jour la couche et recalcule le terrain que montrent ses photos.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Reads geotagged JPEG photographs with QGIS's own importer, orients them, and computes the ground they show.</source>
         <translation>Lit des photos JPEG géolocalisées avec l'import de QGIS, les oriente et calcule le terrain qu'elles montrent.</translation>
     </message>
@@ -137,6 +187,27 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
+        <source>The layer of oriented photos; select the photos and tick the box for selected features.</source>
+        <translation>La couche des photos orientées ; sélectionnez les photos et cochez la case des entités sélectionnées.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>The layer that gets the new answers; usually the same one. It is changed.</source>
+        <translation>La couche qui reçoit les nouveaux résultats ; en général la même. Elle est modifiée.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
+        <translation>Azimut géographique approché, dans le sens horaire depuis le nord. La réponse doit se trouver à proximité. NULL : aucun.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y.</source>
+        <translation>Points de la carte visibles sur les photos, avec les champs photo, x et y.</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
         <source>Model: geotagged photos to viewsheds</source>
         <translation>Modèle : des photos géolocalisées aux bassins visuels</translation>
     </message>
@@ -144,6 +215,11 @@
         <location filename="../processing_provider/models.py"/>
         <source>Model: recorded headings to viewsheds</source>
         <translation>Modèle : des azimuts enregistrés aux bassins visuels</translation>
+    </message>
+    <message>
+        <location filename="../processing_provider/models.py"/>
+        <source>Model: orient photos again</source>
+        <translation>Modèle : orienter de nouveau des photos</translation>
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
@@ -282,6 +358,7 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/export_headings.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Field with the heading (°)</source>
@@ -452,6 +529,137 @@
         <translation>{share} % du terrain visible tombent là où l'image montre le ciel et n'ont pas été drapés. Vérifiez l'azimut de visée, le tangage et l'altitude de l'appareil.</translation>
     </message>
     <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Export headings</source>
+        <translation>Exporter les caps</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>photo,heading,export,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</source>
+        <translation>photo,cap,exporter,xmp,sidecar,kml,kmz,photooverlay,csv,google earth,lightroom,digikam</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Headings as XMP sidecars, KML or KMZ with the pictures, and a CSV table</source>
+        <translation>Caps en fichiers XMP annexes, KML ou KMZ avec les images, et un tableau CSV</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Writes the headings of oriented photographs for other programs. The photographs themselves are never changed.</source>
+        <translation>Écrit les caps de photos orientées pour d'autres programmes. Les photos elles-mêmes ne sont jamais modifiées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>&lt;b&gt;Sidecars&lt;/b&gt; are named IMG_1.jpg.xmp, as digiKam, darktable and ExifTool read them, with GPSImgDirection against true north. The folders below the photographs' common folder are kept, so choose that common folder to have each sidecar beside its photograph. Sidecars of other programs are left alone. &lt;b&gt;KMZ&lt;/b&gt; contains reduced pictures; &lt;b&gt;KML&lt;/b&gt; points to the originals. Google Earth shows each picture in its place.</source>
+        <translation>Les &lt;b&gt;fichiers annexes&lt;/b&gt; s'appellent IMG_1.jpg.xmp, comme les lisent digiKam, darktable et ExifTool, avec GPSImgDirection par rapport au nord géographique. Les dossiers situés sous le dossier commun des photos sont conservés ; choisissez donc ce dossier commun pour avoir chaque fichier à côté de sa photo. Les fichiers d'autres programmes ne sont pas touchés. &lt;b&gt;KMZ&lt;/b&gt; contient des images réduites ; &lt;b&gt;KML&lt;/b&gt; renvoie aux originaux. Google Earth montre chaque image à sa place.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Only photographs with the status &lt;i&gt;accepted&lt;/i&gt; or &lt;i&gt;confirmed&lt;/i&gt;, or without a status, are exported, unless you request the doubtful ones too.</source>
+        <translation>Seules les photos au statut &lt;i&gt;accepted&lt;/i&gt; ou &lt;i&gt;confirmed&lt;/i&gt;, ou sans statut, sont exportées, sauf si vous demandez aussi les douteuses.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Clockwise from true north.</source>
+        <translation>Dans le sens horaire depuis le nord géographique.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Doubtful photos too</source>
+        <translation>Photos douteuses aussi</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Exports photos whose heading is not reliable as well.</source>
+        <translation>Exporte aussi les photos dont le cap n'est pas fiable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One XMP file per photo. Choose the photos' common folder to have each beside its photo.</source>
+        <translation>Un fichier XMP par photo. Choisissez le dossier commun des photos pour avoir chacun à côté de sa photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Folder for XMP sidecars</source>
+        <translation>Dossier des fichiers XMP annexes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KML or KMZ</source>
+        <translation>KML ou KMZ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>KMZ files (*.kmz);;KML files (*.kml)</source>
+        <translation>Fichiers KMZ (*.kmz);;Fichiers KML (*.kml)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>For Google Earth; KMZ has the pictures in it.</source>
+        <translation>Pour Google Earth ; KMZ contient les images.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>CSV files (*.csv)</source>
+        <translation>Fichiers CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>One line per photo, for spreadsheets.</source>
+        <translation>Une ligne par photo, pour les tableurs.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Number of photos left out</source>
+        <translation>Nombre de photos écartées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>Choose at least one output: the folder for sidecars, the KML file or the table.</source>
+        <translation>Choisissez au moins une sortie : le dossier des fichiers annexes, le fichier KML ou le tableau.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>No photo of the layer has a heading that can be exported. Orient the photos first.</source>
+        <translation>Aucune photo de la couche n'a de cap exportable. Orientez d'abord les photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>{count} headings exported.</source>
+        <translation>{count} caps exportés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because it has no heading.</source>
+        <translation>écartée, car elle n'a pas de cap.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out, because its status is {status}.</source>
+        <translation>écartée, car son statut est {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left as it is, because another program wrote {path}.</source>
+        <translation>inchangé, car un autre programme a écrit {path}.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Extract skyline</source>
         <translation>Extraire la ligne d'horizon</translation>
@@ -519,6 +727,7 @@
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -698,16 +907,6 @@
         <location filename="../algorithms/import_photos.py"/>
         <source>Table of the files that produced no point, with the reason.</source>
         <translation>Table des fichiers qui n'ont produit aucun point, avec la raison.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Nombre de photos</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -907,8 +1106,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Points in pixels of the upright picture, with negative y for rows. The field state tells whether the photo shows them.</source>
-        <translation>Points en pixels de l'image redressée, avec y négatif pour les lignes de pixels. Le champ state indique si la photo les montre.</translation>
+        <source>Points in pixels of the photo as QGIS shows it (not rotated), with negative y for rows; x_px and y_px count on the upright picture. The field state tells whether the photo shows them.</source>
+        <translation>Points en pixels de la photo telle que QGIS la montre (non tournée), avec y négatif pour les lignes ; x_px et y_px comptent sur l'image redressée. Le champ state dit si la photo les montre.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -917,8 +1116,8 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
-        <source>Lines and outlines in pixels of the upright picture, with negative y for rows, cut where their visibility changes.</source>
-        <translation>Lignes et contours en pixels de l'image redressée, avec y négatif pour les lignes de pixels, coupés là où leur visibilité change.</translation>
+        <source>Lines and outlines in pixels of the photo as QGIS shows it (not rotated), with negative y for rows, cut where their visibility changes.</source>
+        <translation>Lignes et contours en pixels de la photo telle que QGIS la montre (non tournée), avec y négatif pour les lignes, coupés là où leur visibilité change.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1064,6 +1263,116 @@
         <location filename="../algorithms/measure_offsets.py"/>
         <source>Mean signed elevation offset (°)</source>
         <translation>Écart moyen signé en hauteur (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Merge oriented photos</source>
+        <translation>Fusionner des photos orientées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>photo,heading,update,merge,rescue,again,ambiguous,rejected,join</source>
+        <translation>photo,cap,mettre à jour,fusionner,sauvetage,de nouveau,ambigu,rejeté,joindre</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Updates a layer of oriented photos with photos that were oriented again</source>
+        <translation>Met à jour une couche de photos orientées avec des photos orientées de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>When a few photographs have been oriented again, with a hint or a landmark, this puts their answers into the layer that they came from. Photographs are recognised by their path; all others, all other fields and the points' positions stay as they are.</source>
+        <translation>Quand quelques photos ont été orientées de nouveau, avec un indice ou un repère, ceci reporte leurs résultats dans la couche d'où elles viennent. Les photos sont reconnues par leur chemin ; toutes les autres, tous les autres champs et les positions des points restent tels quels.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The layer itself is changed. If it is being edited, the changes join your unsaved ones and can be undone. Run &lt;i&gt;Directed viewshed&lt;/i&gt; on it afterwards to renew the ground in view, or use &lt;i&gt;Model: orient photos again&lt;/i&gt;, which does all three steps.</source>
+        <translation>La couche elle-même est modifiée. Si elle est en cours d'édition, les changements s'ajoutent aux vôtres non enregistrés et peuvent être annulés. Exécutez ensuite &lt;i&gt;Bassin visuel dirigé&lt;/i&gt; sur elle pour renouveler le terrain visible, ou utilisez &lt;i&gt;Modèle : orienter de nouveau des photos&lt;/i&gt;, qui fait les trois étapes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Oriented photos of an earlier run. This layer is changed.</source>
+        <translation>Photos orientées d'une exécution antérieure. Cette couche est modifiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Photos that were oriented again</source>
+        <translation>Photos orientées de nouveau</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>The output of Orient photos for some photos of that layer.</source>
+        <translation>La sortie de « Orienter des photos » pour quelques photos de cette couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Keep a better status</source>
+        <translation>Garder un meilleur statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>A photo whose new status is worse than its present one keeps its present answer.</source>
+        <translation>Une photo dont le nouveau statut est moins bon que l'actuel garde son résultat actuel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of updated photos</source>
+        <translation>Nombre de photos mises à jour</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that keep a better status</source>
+        <translation>Nombre de photos qui gardent un meilleur statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>Number of photos that the layer does not have</source>
+        <translation>Nombre de photos que la couche n'a pas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed. Save it as a GeoPackage first.</source>
+        <translation>{name} ne peut pas être modifiée. Enregistrez-la d'abord en GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} has no field {field}. Choose a layer of oriented photos.</source>
+        <translation>{name} n'a pas de champ {field}. Choisissez une couche de photos orientées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: the layer does not have this photo.</source>
+        <translation>{name} : la couche n'a pas cette photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name}: stays {before}; the new answer is {after}.</source>
+        <translation>{name} : reste {before} ; le nouveau résultat est {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{count} photos updated.</source>
+        <translation>{count} photos mises à jour.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} occurs more than once; its best status is used.</source>
+        <translation>{name} apparaît plusieurs fois ; son meilleur statut est utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} cannot be changed now.</source>
+        <translation>{name} ne peut pas être modifiée maintenant.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>a value does not fit its field</source>
+        <translation>une valeur ne convient pas à son champ</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <source>{name} was not changed: {reason}</source>
+        <translation>{name} n'a pas été modifiée : {reason}</translation>
     </message>
     <message>
         <location filename="../algorithms/orient_photos.py"/>
@@ -1310,11 +1619,6 @@
     </message>
     <message>
         <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Photos to viewsheds</source>
-        <translation>Des photos aux bassins visuels</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>photo,viewshed,heading,orientation,skyline,visibility,heic,exif,report,batch</source>
         <translation>photo,bassin visuel,azimut,orientation,ligne d'horizon,visibilité,HEIC,EXIF,rapport,lot,viewshed</translation>
     </message>
@@ -1541,6 +1845,11 @@
         <translation>{name} ({number}/{count})</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/field_names.py"/>
+        <source>Fields renamed because the format of the output reserves the name: {names}</source>
+        <translation>Champs renommés, car le format de sortie se réserve leur nom : {names}</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../core/base/attributes.py"/>
@@ -1669,6 +1978,11 @@
         <location filename="../algorithms/shared/layers.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/layers.py"/>
+        <source>The field {field} holds pictures, not paths. Save the pictures as files and choose a field with their paths (PHOTO_FIELD).</source>
+        <translation>Le champ {field} contient des images, pas des chemins. Enregistrez les images comme fichiers et choisissez un champ avec leurs chemins (PHOTO_FIELD).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
@@ -1801,6 +2115,24 @@
         <translation>1 (ciel dégagé)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>Answer</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>Match</source>
+        <translation>Appariement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
@@ -1903,23 +2235,28 @@
     </message>
     <message>
         <location filename="../algorithms/shared/monoplotting.py"/>
-        <source>No oriented photo point for: {names}</source>
-        <translation>Pas de point de photo orientée pour : {names}</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/monoplotting.py"/>
         <source>{count} of {total} image features reach beyond the picture of {width} x {height} pixels; nothing outside it is placed. Check that they were drawn on this picture, and not on a reduced, cropped or turned copy.</source>
         <translation>{count} objets image sur {total} dépassent de l'image de {width} x {height} pixels ; rien n'est placé en dehors. Vérifiez qu'ils ont été dessinés sur cette image et non sur une copie réduite, recadrée ou tournée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file.</source>
-        <translation>Angle de champ de l'image redressée, en travers de son milieu. NULL : calculé d'après la focale du fichier.</translation>
+        <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
+        <translation>Champ de vision de l'image redressée, en son milieu. NULL : calculé d'après la focale du fichier. Des champs nommés k1 et k2 donnent la distorsion de l'objectif (Brown, comme dans OpenCV).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height.</source>
         <translation>Altitude absolue de l'appareil dans le système altimétrique du MNT. NULL : MNT plus hauteur de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Horizontal field of view of all photos (°)</source>
+        <translation>Champ de vision horizontal de toutes les photos (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>For photographs of one lens without a focal length in their files, across the middle of the upright picture. A value in the field takes precedence.</source>
+        <translation>Pour des photos d'un même objectif sans focale dans leurs fichiers, au milieu de l'image redressée. Une valeur dans le champ a priorité.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -1956,6 +2293,11 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} photos : {parts}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/outputs.py"/>
+        <source>{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).</source>
+        <translation>{path} ne peut pas contenir les champs des points photo : {reason} Écrivez un GeoPackage (.gpkg).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/outputs.py"/>
@@ -2001,6 +2343,60 @@
         <location filename="../algorithms/shared/parameters.py"/>
         <source>Band that holds the heights.</source>
         <translation>Bande qui contient les altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>as the file says</source>
+        <translation>comme l'indique le fichier</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>feet (0.3048 m)</source>
+        <translation>pieds (0,3048 m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>US survey feet</source>
+        <translation>pieds d'arpentage américains</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>decimetres</source>
+        <translation>décimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../core/base/heights.py"/>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights</source>
+        <translation>Unité des altitudes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Unit of the heights in the elevation model. Many files in feet or decimetres do not say so; without any unit in the file, metres are assumed.</source>
+        <translation>Unité des altitudes du modèle numérique. Beaucoup de fichiers en pieds ou en décimètres ne l'indiquent pas ; sans unité dans le fichier, des mètres sont supposés.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -2138,6 +2534,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>without suffix</source>
+        <translation>sans extension</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
+        <source>Files that were not read as photographs: {kinds}</source>
+        <translation>Fichiers qui n'ont pas été lus comme photos : {kinds}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/photo_attributes.py"/>
         <source>No photograph (JPEG, HEIC) was found in {folder}. Choose another folder, or include its subfolders.</source>
         <translation>Aucune photo (JPEG, HEIC) n'a été trouvée dans {folder}. Choisissez un autre dossier, ou incluez ses sous-dossiers.</translation>
     </message>
@@ -2147,14 +2553,19 @@
         <translation>Le point ne désigne aucune photo : il n'y a pas d'image sur laquelle dessiner.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/picture_files.py"/>
+        <source>No installed font has all characters of {names}, so the PNG shows boxes; the SVG is right. Install a font for this script, for example a Noto Sans, and run again.</source>
+        <translation>Aucune police installée n'a tous les caractères de {names} ; le PNG montre donc des carrés, le SVG est correct. Installez une police pour cette écriture, par exemple une Noto Sans, puis relancez.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
         <source>Image features</source>
         <translation>Entités de l'image</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
-        <source>Points, lines or polygons whose coordinates are pixels of the upright picture (as drawn in QGIS over the photo itself, where y is negative, or y counted downwards), or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
-        <translation>Points, lignes ou polygones dont les coordonnées sont des pixels de l'image redressée (dessinés dans QGIS sur la photo même, où y est négatif, ou y compté vers le bas), ou une table avec les champs x et y. Un champ photo désigne la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
+        <source>Points, lines or polygons as drawn in QGIS over the photo itself (not rotated, y negative), or in pixels of the upright picture with y counted downwards, or a table with fields x and y. A field photo names the photograph; without it the features belong to every photo.</source>
+        <translation>Points, lignes ou polygones dessinés dans QGIS sur la photo elle-même (non tournée, y négatif), ou en pixels de l'image redressée avec y compté vers le bas, ou une table avec les champs x et y. Un champ photo nomme la photo ; sans lui, les entités appartiennent à toutes les photos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/pixel_input.py"/>
@@ -2187,6 +2598,26 @@
         <translation>Les entités de l'image n'ont ni géométrie en pixels ni champs x et y ; elles ont {fields}.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Several photos have these names, so the features were left out: {names}. Write the folders too, for example day1/IMG_0001.jpg.</source>
+        <translation>Plusieurs photos portent ces noms ; les entités ont donc été omises : {names}. Indiquez aussi les dossiers, par exemple day1/IMG_0001.jpg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>No oriented photo point for: {names}</source>
+        <translation>Pas de point de photo orientée pour : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/pixel_input.py"/>
+        <source>Its features were drawn on a file of {bytes} bytes, which is another copy of this photo. If that copy is reduced, they are in the wrong place.</source>
+        <translation>Les entités ont été dessinées sur un fichier de {bytes} octets, une autre copie de cette photo. Si cette copie est réduite, elles sont au mauvais endroit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/previews.py"/>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/reporting.py"/>
         <source>yes</source>
         <translation>oui</translation>
@@ -2198,16 +2629,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Field with an approximate heading (°)</source>
-        <translation>Champ d'un azimut approché (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Approximate true heading, clockwise from north. The answer must be near it. NULL: none.</source>
-        <translation>Azimut géographique approché, dans le sens horaire depuis le nord. La réponse doit se trouver à proximité. NULL : aucun.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
         <source>Field with the tolerance of that heading (°)</source>
         <translation>Champ de la tolérance de cet azimut (°)</translation>
     </message>
@@ -2215,11 +2636,6 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>How far the heading may differ from the approximate one. NULL: 20 degrees.</source>
         <translation>De combien l'azimut peut s'écarter de l'approché. NULL : 20 degrés.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/rescue.py"/>
-        <source>Landmarks</source>
-        <translation>Points de repère</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -2248,6 +2664,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
+        <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
+        <translation>{parameter} : plusieurs photos portent le nom {names}. Indiquez aussi les dossiers, par exemple day1/IMG_0001.jpg ; placez les masques de ciel dans des dossiers de mêmes noms.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
         <source>The table {parameter} needs the fields photo, x and y (or column and row); it has {fields}.</source>
         <translation>La table {parameter} a besoin des champs photo, x et y (ou column et row) ; elle a {fields}.</translation>
     </message>
@@ -2265,6 +2686,36 @@
         <location filename="../algorithms/shared/result_figures.py"/>
         <source>Folder for one figure per photo</source>
         <translation>Dossier pour une figure par photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{name}: {verdict}, heading {heading}°</source>
+        <translation>{name} : {verdict}, cap {heading}°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>{names} and {count} more</source>
+        <translation>{names} et {count} autres</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>Check these photos ({verdict}): {names}</source>
+        <translation>Vérifiez ces photos ({verdict}) : {names}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {seconds} s left</source>
+        <translation>encore environ {seconds} s</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {minutes} min left</source>
+        <translation>encore environ {minutes} min</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/run_log.py"/>
+        <source>about {hours} h left</source>
+        <translation>encore environ {hours} h</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -2383,14 +2834,24 @@
         <translation>Les photos de statut failed n'ont pas d'azimut de visée et ne peuvent pas être utilisées.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Style of the Skyline Viewshed plugin</source>
+        <translation>Style de l'extension Skyline Viewshed</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/stored_style.py"/>
+        <source>Other fields</source>
+        <translation>Autres champs</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Summits</source>
         <translation>Sommets</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Points with names and heights. Empty: summits are found in the DEM by their prominence.</source>
-        <translation>Points avec noms et altitudes. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
+        <source>Points with names and heights, or an OpenStreetMap extract on your disk (.osm, .osm.pbf), of which the summits are read. Empty: summits are found in the DEM by their prominence.</source>
+        <translation>Points avec noms et altitudes, ou un extrait d'OpenStreetMap sur votre disque (.osm, .osm.pbf), dont les sommets sont lus. Vide : les sommets sont cherchés dans le MNT d'après leur proéminence.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2405,8 +2866,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <source>Text such as 4478 is read too.</source>
-        <translation>Un texte comme 4478 est lu aussi.</translation>
+        <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
+        <translation>Un texte comme 4478, 4478 m ou 14692 ft est lu aussi. Les altitudes que le MNT contredit ne sont pas utilisées.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -2427,6 +2888,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0 : utiliser la position publiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
+        <translation>L'altitude publiée de {height} m contredit le MNT ({top} m à cet endroit) ; l'altitude du MNT est donc utilisée. Si elle est en pieds, écrivez 'ft' après.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -3034,12 +3500,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lieu</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>Name of the place</source>
         <translation>Nom du lieu</translation>
     </message>
@@ -3291,6 +3751,11 @@
         <translation>Bord droit de la vue (° depuis le nord du quadrillage), pour Visibility Analysis</translation>
     </message>
     <message>
+        <location filename="../core/base/doubt.py"/>
+        <source>The position is uncertain by {metres} m, which leaves the heading uncertain by more than 3 degrees. Correct the position.</source>
+        <translation>La position est incertaine de {metres} m, ce qui laisse le cap incertain de plus de 3 degrés. Corrigez la position.</translation>
+    </message>
+    <message>
         <location filename="../core/base/errors.py"/>
         <source>The photo {path} cannot be read: {reason}</source>
         <translation>La photo {path} ne peut pas être lue : {reason}</translation>
@@ -3321,6 +3786,81 @@
         <translation>Les entités de l'image {path} ne peuvent pas être lues : {reason}</translation>
     </message>
     <message>
+        <location filename="../core/base/heights.py"/>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The given elevation of the camera lies {metres} m below the DEM's surface, so the answer is not accepted. Check HEIGHT_FIELD, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'altitude donnée de la caméra est {metres} m au-dessous de la surface du MNT, la réponse n'est donc pas acceptée. Vérifiez HEIGHT_FIELD et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position, and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT, plus que le GPS et le MNT ne le permettent, la réponse n'est donc pas acceptée. Vérifiez la position de la photo et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface, more than GPS and DEM allow, so the answer is not accepted. Check the photo's position and the DEM; for a drone, set USE_ALTITUDE.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT, plus que le GPS et le MNT ne le permettent, la réponse n'est donc pas acceptée. Vérifiez la position de la photo et le MNT ; pour un drone, activez USE_ALTITUDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessus de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
+        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessous de la surface du MNT ; cette hauteur a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
+        <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT et a été utilisée.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
+        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT ; le MNT a été utilisé.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if its heights were in {unit}. Set the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, comme si ses altitudes étaient en {unit}. Indiquez l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, as if these were in feet. The program that wrote them is wrong; the DEM is used for the camera's elevation.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, comme si celles-ci étaient en pieds. Le programme qui les a écrites se trompe ; le MNT sert pour l'altitude de la caméra.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes, nearly the same everywhere, as if one of them counted from the ellipsoid or another vertical datum. Use a DEM with heights above sea level.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées, presque partout de la même valeur, comme si l'un des deux se rapportait à l'ellipsoïde ou à une autre référence verticale. Utilisez un MNT dont les altitudes sont au-dessus du niveau de la mer.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/heights.py"/>
+        <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
+        <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées. Vérifiez que le MNT contient des altitudes, leur unité (DEM_UNIT) et leur référence verticale, ainsi que les positions des photos.</translation>
+    </message>
+    <message>
         <location filename="../core/base/optional.py"/>
         <source>{feature} needs the Python package {package}. {hint}</source>
         <translation>{feature} exige le paquet Python {package}. {hint}</translation>
@@ -3341,9 +3881,39 @@
         <translation>Exécutez : {command}</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
+        <location filename="../core/base/place.py"/>
         <source>The photo has no GPS position. Supply it as a point in a photo point layer.</source>
         <translation>La photo n'a pas de position GPS. Indiquez-la par un point dans une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. Supply it as a point in a photo point layer.</source>
+        <translation>La position GPS est incertaine de {km} km, trop pour un horizon ; il faut donc la bonne. Indiquez-la par un point dans une couche de points de photos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
+        <translation>Les entités ont été dessinées sur l'image telle qu'elle est enregistrée ; elles ont été tournées avec elle.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a copy of {width} x {height} pixels; they were scaled to the photo.</source>
+        <translation>Les entités ont été dessinées sur une copie de {width} x {height} pixels ; elles ont été mises à l'échelle de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/upright.py"/>
+        <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
+        <translation>Les entités ont été dessinées sur une image de {width} x {height} pixels, qui n'est pas une copie réduite de cette photo de {photo_width} x {photo_height} pixels. Dessinez-les sur la photo elle-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The photo is a stitched panorama, which is not the picture of one lens. Use a single photo, or give the horizontal field of view in HFOV_FIELD if the panorama is rectilinear.</source>
+        <translation>La photo est un panorama assemblé, qui n'est pas l'image d'un seul objectif. Utilisez une photo simple, ou donnez l'angle de champ horizontal dans HFOV_FIELD si le panorama est rectilinéaire.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>A lens with k1 = {k1} and k2 = {k2} would fold the picture before its corner. Correct k1 and k2: they are those of OpenCV, for radii in focal lengths.</source>
+        <translation>Un objectif avec k1 = {k1} et k2 = {k2} replierait l'image avant son coin. Corrigez k1 et k2 : ce sont ceux d'OpenCV, pour des rayons en focales.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>
@@ -3351,44 +3921,20 @@
         <translation>La ligne d'horizon dessinée dépasse de l'image de {width} x {height} pixels. Dessinez-la sur cette image, et non sur une copie réduite ou tournée.</translation>
     </message>
     <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m above the DEM's surface, which was used.</source>
-        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessus de la surface du MNT ; cette hauteur a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The skyline fits best from {metres} m below the DEM's surface, which was used.</source>
-        <translation>La ligne d'horizon correspond le mieux depuis {metres} m au-dessous de la surface du MNT ; cette hauteur a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude refers to the ellipsoid, not to sea level; the DEM was used.</source>
-        <translation>L'altitude enregistrée se rapporte à l'ellipsoïde et non au niveau de la mer ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface and was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT et a été utilisée.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m above the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessus de la surface du MNT ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
-        <location filename="../core/batch.py"/>
-        <source>The recorded altitude lies {metres} m below the DEM's surface; the DEM was used.</source>
-        <translation>L'altitude enregistrée est {metres} m au-dessous de la surface du MNT ; le MNT a été utilisé.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/annotate.py"/>
         <source>annotated photograph</source>
         <translation>photo annotée</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
+        <translation>Le texte dans les images exige une police TrueType, mais ni DejaVu Sans, ni Arial, ni Liberation Sans, ni Helvetica n'est installée. Installez l'une d'elles, par exemple avec le paquet fonts-dejavu-core, ou installez un Pillow plus récent.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/fonts.py"/>
+        <location filename="../core/figures/raster.py"/>
+        <source>Drawing and writing pictures</source>
+        <translation>Le dessin et l'écriture d'images</translation>
     </message>
     <message>
         <location filename="../core/figures/ground.py"/>
@@ -3507,16 +4053,6 @@
         <translation>L'horizon culmine à l'azimut {azimuth} : son angle d'élévation y est de {angle} degrés et sa distance de {distance}. L'angle d'élévation médian est de {median} degrés. Dans {share} % des directions, le MNT s'arrête avant qu'un terrain plus haut puisse être exclu.</translation>
     </message>
     <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Drawing and writing pictures</source>
-        <translation>Le dessin et l'écriture d'images</translation>
-    </message>
-    <message>
-        <location filename="../core/figures/raster.py"/>
-        <source>Text in pictures needs a TrueType font, but none of DejaVu Sans, Arial, Liberation Sans or Helvetica is installed. Install one of them, for example with the package fonts-dejavu-core, or install a newer Pillow.</source>
-        <translation>Le texte dans les images exige une police TrueType, mais ni DejaVu Sans, ni Arial, ni Liberation Sans, ni Helvetica n'est installée. Installez l'une d'elles, par exemple avec le paquet fonts-dejavu-core, ou installez un Pillow plus récent.</translation>
-    </message>
-    <message>
         <location filename="../core/figures/score.py"/>
         <source>Score over all headings</source>
         <translation>Score sur tous les azimuts</translation>
@@ -3588,6 +4124,41 @@
         <translation>Aucune transformation de {source} vers {target} n'est disponible. Utilisez un MNT dans un système de coordonnées courant.</translation>
     </message>
     <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a picture with a colour palette, not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Le MNT {path} est une image à palette de couleurs, pas un raster d'altitudes. Choisissez le raster d'altitudes lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has only 8 bits per cell, like a hillshade or another picture of the terrain. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Le MNT {path} n'a que 8 bits par cellule, comme un ombrage ou une autre image du terrain. Choisissez le raster d'altitudes lui-même ; si ce sont des altitudes, indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} holds heights encoded as colours (terrain-RGB, {name}). Decode them first with the raster calculator: {formula}, where R, G and B are the bands.</source>
+        <translation>Le MNT {path} contient des altitudes codées en couleurs (terrain-RGB, {name}). Décodez-les d'abord avec la calculatrice raster : {formula}, où R, G et B sont les bandes.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} is a colour picture (red, green, blue), not a raster of heights. Choose the elevation raster itself.</source>
+        <translation>Le MNT {path} est une image en couleurs (rouge, vert, bleu), pas un raster d'altitudes. Choisissez le raster d'altitudes lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
+        <translation>La bande {band} du MNT {path} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The DEM {path} has values up to {highest}, which are no heights in metres: perhaps they are decimetres or centimetres. Set their unit (DEM_UNIT).</source>
+        <translation>Le MNT {path} a des valeurs jusqu'à {highest}, qui ne sont pas des altitudes en mètres : peut-être des décimètres ou des centimètres. Indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/dem_inspection.py"/>
+        <source>The values of the DEM {path} lie between {low} and {high} and change from cell to cell like those of a hillshade, slope or aspect map, not like heights. Choose the elevation raster itself; if these are heights, set their unit (DEM_UNIT).</source>
+        <translation>Les valeurs du MNT {path} vont de {low} à {high} et varient d'une cellule à l'autre comme celles d'un ombrage, d'une carte de pente ou d'exposition, pas comme des altitudes. Choisissez le raster d'altitudes lui-même ; si ce sont des altitudes, indiquez leur unité (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/io/features.py"/>
         <source>it is larger than 200 MB. Split it by photograph.</source>
         <translation>il dépasse 200 Mo. Divisez-le par photo.</translation>
@@ -3632,6 +4203,11 @@
         <location filename="../core/io/features.py"/>
         <source>line {number} is incomplete ({reason}). Correct that line.</source>
         <translation>la ligne {number} est incomplète ({reason}). Corrigez cette ligne.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/folder.py"/>
+        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu : {reason}. Vérifiez le chemin.</translation>
     </message>
     <message>
         <location filename="../core/io/formats.py"/>
@@ -3699,6 +4275,46 @@
         <translation>Le MNT {path} est tourné par rapport à son SCR. Projetez-le d'abord sur une grille orientée au nord (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
+        <translation>Les valeurs du MNT sont en {unit}, qui n'est pas une unité d'altitude connue ici. Choisissez un raster d'altitudes, ou indiquez l'unité de ses altitudes (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/io/height_unit.py"/>
+        <source>The unit of heights {unit} is not known. Give metres, feet, us-ft, dm, cm, km or a number of metres.</source>
+        <translation>L'unité d'altitude {unit} n'est pas connue. Donnez metres, feet, us-ft, dm, cm, km ou un nombre de mètres.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/label_tools.py"/>
+        <source>Shapes without an outline that can be read were left out: {kinds}.</source>
+        <translation>Les formes sans contour lisible ont été omises : {kinds}.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
+        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent of {recorded} mm contradicts the recorded focal length and sensor, from which {derived} mm follows. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'équivalent 35 mm enregistré de {recorded} mm contredit la focale et le capteur enregistrés, qui donnent {derived} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
+        <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>No lens has the recorded 35 mm equivalent of {recorded} mm; it was ignored.</source>
+        <translation>Aucun objectif n'a l'équivalent 35 mm enregistré de {recorded} mm ; il a été ignoré.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/lens_tags.py"/>
+        <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
+        <translation>L'équivalent 35 mm enregistré ne tient pas compte du zoom numérique : {used} mm a été utilisé au lieu de {recorded} mm.</translation>
+    </message>
+    <message>
         <location filename="../core/io/metadata.py"/>
         <source>The recorded coordinates are not numbers (no GPS fix) and were ignored.</source>
         <translation>Les coordonnées enregistrées ne sont pas des nombres (pas de signal GPS) et ont été ignorées.</translation>
@@ -3720,18 +4336,33 @@
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The 35 mm equivalent was derived from the focal length and the focal plane resolution.</source>
-        <translation>L'équivalent 35 mm a été déduit de la focale et de la résolution du plan focal.</translation>
+        <source>The GPS had no fix when the photo was taken, so the position may be that of another place.</source>
+        <translation>Le GPS ne captait pas lors de la prise de vue ; la position peut donc être celle d'un autre lieu.</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
-        <source>The picture is cropped: a 35 mm equivalent of {used} mm was used instead of {recorded} mm. If you know the horizontal field of view, give it in HFOV_FIELD.</source>
-        <translation>L'image est recadrée : un équivalent 35 mm de {used} mm a été utilisé au lieu de {recorded} mm. Si vous connaissez l'angle de champ horizontal, donnez-le dans HFOV_FIELD.</translation>
+        <source>The GPS position is imprecise (DOP {dop}): an error of {metres} m was assumed.</source>
+        <translation>La position GPS est imprécise (DOP {dop}) : une erreur de {metres} m a été supposée.</translation>
     </message>
     <message>
-        <location filename="../core/io/photo.py"/>
-        <source>The folder {folder} cannot be listed: {reason}. Check the path.</source>
-        <translation>Le contenu du dossier {folder} ne peut pas être lu : {reason}. Vérifiez le chemin.</translation>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama of {angle} degrees, not that of one lens; its field of view is unknown.</source>
+        <translation>L'image est un panorama de {angle} degrés, pas celle d'un seul objectif ; son angle de champ est inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/metadata.py"/>
+        <source>The picture is a panorama, not that of one lens; its field of view is unknown.</source>
+        <translation>L'image est un panorama, pas celle d'un seul objectif ; son angle de champ est inconnu.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>The OpenStreetMap extract {path} cannot be read: {reason}. Download it again.</source>
+        <translation>L'extrait d'OpenStreetMap {path} ne peut pas être lu : {reason}. Téléchargez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/osm_summits.py"/>
+        <source>it has another format</source>
+        <translation>il a un autre format</translation>
     </message>
     <message>
         <location filename="../core/io/pixels.py"/>
@@ -3764,9 +4395,14 @@
         <translation>Le MNT {path} est endommagé ({reason}). Copiez-le à nouveau.</translation>
     </message>
     <message>
-        <location filename="../core/io/raster.py"/>
-        <source>Band {band} of the DEM {path} has no valid cell. Choose another DEM.</source>
-        <translation>La bande {band} du MNT {path} n'a aucune cellule valide. Choisissez un autre MNT.</translation>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
+        <translation>c'est un fichier brut (RAW) d'appareil photo, qui doit d'abord être exporté en JPEG.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/tiff_pages.py"/>
+        <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
+        <translation>sa première page de {width} x {height} pixels est une vignette d'une image plus grande. Exportez celle-ci en JPEG.</translation>
     </message>
     <message>
         <location filename="../core/io/whole_file.py"/>
@@ -4046,11 +4682,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Pose</source>
         <translation>Pose</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>Match</source>
-        <translation>Appariement</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -4439,6 +5070,16 @@
         <location filename="../core/skyline/given.py"/>
         <source>The supplied skyline or sky mask has no change from sky to terrain.</source>
         <translation>La ligne d'horizon ou le masque de ciel fourni n'a pas de passage du ciel au terrain.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no skyline: no line separates sky from terrain.</source>
+        <translation>L'image ne montre aucune ligne d'horizon : aucune ligne ne sépare le ciel du terrain.</translation>
+    </message>
+    <message>
+        <location filename="../core/skyline/plausible.py"/>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
+        <translation>L'image ne montre aucune ligne de montagnes : ses lignes sont horizontales et verticales, comme dans une pièce.</translation>
     </message>
     <message>
         <location filename="../core/viewshed/geometry.py"/>

@@ -1,64 +1,64 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis minScale="100000000" readOnly="0" simplifyMaxScale="1" simplifyDrawingHints="1" hasScaleBasedVisibilityFlag="0" styleCategories="AllStyleCategories" simplifyAlgorithm="0" maxScale="0" labelsEnabled="0" symbologyReferenceScale="-1" simplifyDrawingTol="1" simplifyLocal="1" version="3.22.16-Białowieża">
+<qgis simplifyDrawingTol="1" labelsEnabled="0" simplifyLocal="1" simplifyDrawingHints="1" simplifyAlgorithm="0" simplifyMaxScale="1" symbologyReferenceScale="-1" minScale="100000000" version="3.22.16-Białowieża" styleCategories="AllStyleCategories" hasScaleBasedVisibilityFlag="0" maxScale="0" readOnly="0">
   <flags>
     <Identifiable>1</Identifiable>
     <Removable>1</Removable>
     <Searchable>1</Searchable>
     <Private>0</Private>
   </flags>
-  <temporal endExpression="" durationField="" durationUnit="min" fixedDuration="0" startField="" accumulate="0" endField="" startExpression="" mode="0" enabled="0" limitMode="0">
+  <temporal limitMode="0" startField="" durationField="" enabled="0" endExpression="" startExpression="" durationUnit="min" fixedDuration="0" accumulate="0" mode="0" endField="">
     <fixedRange>
       <start></start>
       <end></end>
     </fixedRange>
   </temporal>
-  <renderer-v2 type="singleSymbol" forceraster="0" enableorderby="0" symbollevels="0" referencescale="-1">
+  <renderer-v2 type="singleSymbol" referencescale="-1" enableorderby="0" forceraster="0" symbollevels="0">
     <symbols>
-      <symbol name="0" alpha="1" clip_to_extent="1" type="marker" force_rhr="0">
+      <symbol type="marker" force_rhr="0" clip_to_extent="1" alpha="1" name="0">
         <data_defined_properties>
           <Option type="Map">
-            <Option name="name" type="QString" value=""/>
+            <Option type="QString" name="name" value=""/>
             <Option name="properties"/>
-            <Option name="type" type="QString" value="collection"/>
+            <Option type="QString" name="type" value="collection"/>
           </Option>
         </data_defined_properties>
-        <layer pass="0" locked="0" enabled="1" class="GeometryGenerator">
+        <layer class="GeometryGenerator" enabled="1" locked="0" pass="0">
           <Option type="Map">
-            <Option name="SymbolType" type="QString" value="Fill"/>
-            <Option name="geometryModifier" type="QString" value="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
-            <Option name="units" type="QString" value="MM"/>
+            <Option type="QString" name="SymbolType" value="Fill"/>
+            <Option type="QString" name="geometryModifier" value="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
+            <Option type="QString" name="units" value="MM"/>
           </Option>
           <prop k="SymbolType" v="Fill"/>
           <prop k="geometryModifier" v="if(&quot;direction&quot; is null, null, wedge_buffer(centroid($geometry), 180 - &quot;direction&quot;, min(coalesce(&quot;hfov&quot;, 60), 359), 11))"/>
           <prop k="units" v="MM"/>
           <data_defined_properties>
             <Option type="Map">
-              <Option name="name" type="QString" value=""/>
+              <Option type="QString" name="name" value=""/>
               <Option name="properties"/>
-              <Option name="type" type="QString" value="collection"/>
+              <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
-          <symbol name="@0@0" alpha="1" clip_to_extent="1" type="fill" force_rhr="0">
+          <symbol type="fill" force_rhr="0" clip_to_extent="1" alpha="1" name="@0@0">
             <data_defined_properties>
               <Option type="Map">
-                <Option name="name" type="QString" value=""/>
+                <Option type="QString" name="name" value=""/>
                 <Option name="properties"/>
-                <Option name="type" type="QString" value="collection"/>
+                <Option type="QString" name="type" value="collection"/>
               </Option>
             </data_defined_properties>
-            <layer pass="0" locked="0" enabled="1" class="SimpleFill">
+            <layer class="SimpleFill" enabled="1" locked="0" pass="0">
               <Option type="Map">
-                <Option name="border_width_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
-                <Option name="color" type="QString" value="47,111,159,70"/>
-                <Option name="joinstyle" type="QString" value="bevel"/>
-                <Option name="offset" type="QString" value="0,0"/>
-                <Option name="offset_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
-                <Option name="offset_unit" type="QString" value="MM"/>
-                <Option name="outline_color" type="QString" value="47,111,159,255"/>
-                <Option name="outline_style" type="QString" value="solid"/>
-                <Option name="outline_width" type="QString" value="0.3"/>
-                <Option name="outline_width_unit" type="QString" value="MM"/>
-                <Option name="style" type="QString" value="solid"/>
+                <Option type="QString" name="border_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="color" value="47,111,159,70"/>
+                <Option type="QString" name="joinstyle" value="bevel"/>
+                <Option type="QString" name="offset" value="0,0"/>
+                <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+                <Option type="QString" name="offset_unit" value="MM"/>
+                <Option type="QString" name="outline_color" value="47,111,159,255"/>
+                <Option type="QString" name="outline_style" value="solid"/>
+                <Option type="QString" name="outline_width" value="0.3"/>
+                <Option type="QString" name="outline_width_unit" value="MM"/>
+                <Option type="QString" name="style" value="solid"/>
               </Option>
               <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
               <prop k="color" v="47,111,159,70"/>
@@ -73,45 +73,45 @@
               <prop k="style" v="solid"/>
               <data_defined_properties>
                 <Option type="Map">
-                  <Option name="name" type="QString" value=""/>
-                  <Option name="properties" type="Map">
-                    <Option name="fillColor" type="Map">
-                      <Option name="active" type="bool" value="true"/>
-                      <Option name="expression" type="QString" value="if($id is null, '0,0,0,0', '47,111,159,70')"/>
-                      <Option name="type" type="int" value="3"/>
+                  <Option type="QString" name="name" value=""/>
+                  <Option type="Map" name="properties">
+                    <Option type="Map" name="fillColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,70')"/>
+                      <Option type="int" name="type" value="3"/>
                     </Option>
-                    <Option name="outlineColor" type="Map">
-                      <Option name="active" type="bool" value="true"/>
-                      <Option name="expression" type="QString" value="if($id is null, '0,0,0,0', '47,111,159,255')"/>
-                      <Option name="type" type="int" value="3"/>
+                    <Option type="Map" name="outlineColor">
+                      <Option type="bool" name="active" value="true"/>
+                      <Option type="QString" name="expression" value="if($id is null, '0,0,0,0', '47,111,159,255')"/>
+                      <Option type="int" name="type" value="3"/>
                     </Option>
                   </Option>
-                  <Option name="type" type="QString" value="collection"/>
+                  <Option type="QString" name="type" value="collection"/>
                 </Option>
               </data_defined_properties>
             </layer>
           </symbol>
         </layer>
-        <layer pass="0" locked="0" enabled="1" class="SvgMarker">
+        <layer class="SvgMarker" enabled="1" locked="0" pass="0">
           <Option type="Map">
-            <Option name="angle" type="QString" value="0"/>
-            <Option name="color" type="QString" value="47,111,159,255"/>
-            <Option name="fixedAspectRatio" type="QString" value="0"/>
-            <Option name="horizontal_anchor_point" type="QString" value="1"/>
-            <Option name="name" type="QString" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
-            <Option name="offset" type="QString" value="0,0"/>
-            <Option name="offset_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
-            <Option name="offset_unit" type="QString" value="MM"/>
-            <Option name="outline_color" type="QString" value="255,255,255,255"/>
-            <Option name="outline_width" type="QString" value="0.2"/>
-            <Option name="outline_width_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
-            <Option name="outline_width_unit" type="QString" value="MM"/>
+            <Option type="QString" name="angle" value="0"/>
+            <Option type="QString" name="color" value="47,111,159,255"/>
+            <Option type="QString" name="fixedAspectRatio" value="0"/>
+            <Option type="QString" name="horizontal_anchor_point" value="1"/>
+            <Option type="QString" name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PHBhdGggZD0iTTQgMTEgSDggTDkuNSAzIEgxNC41IEwxNiAxMSBIMjAgQTIgMiAwIDAgMSAyMiAxMyBWMjAgQTIgMiAwIDAgMSAyMCAyMiBINCBBMiAyIDAgMCAxIDIgMjAgVjEzIEEyIDIgMCAwIDEgNCAxMSBaIiBmaWxsPSJwYXJhbShmaWxsKSIgc3Ryb2tlPSJwYXJhbShvdXRsaW5lKSIgc3Ryb2tlLXdpZHRoPSJwYXJhbShvdXRsaW5lLXdpZHRoKSIvPjwvc3ZnPg=="/>
+            <Option type="QString" name="offset" value="0,0"/>
+            <Option type="QString" name="offset_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="offset_unit" value="MM"/>
+            <Option type="QString" name="outline_color" value="255,255,255,255"/>
+            <Option type="QString" name="outline_width" value="0.2"/>
+            <Option type="QString" name="outline_width_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="outline_width_unit" value="MM"/>
             <Option name="parameters"/>
-            <Option name="scale_method" type="QString" value="diameter"/>
-            <Option name="size" type="QString" value="5"/>
-            <Option name="size_map_unit_scale" type="QString" value="3x:0,0,0,0,0,0"/>
-            <Option name="size_unit" type="QString" value="MM"/>
-            <Option name="vertical_anchor_point" type="QString" value="1"/>
+            <Option type="QString" name="scale_method" value="diameter"/>
+            <Option type="QString" name="size" value="5"/>
+            <Option type="QString" name="size_map_unit_scale" value="3x:0,0,0,0,0,0"/>
+            <Option type="QString" name="size_unit" value="MM"/>
+            <Option type="QString" name="vertical_anchor_point" value="1"/>
           </Option>
           <prop k="angle" v="0"/>
           <prop k="color" v="47,111,159,255"/>
@@ -133,15 +133,15 @@
           <prop k="vertical_anchor_point" v="1"/>
           <data_defined_properties>
             <Option type="Map">
-              <Option name="name" type="QString" value=""/>
-              <Option name="properties" type="Map">
-                <Option name="angle" type="Map">
-                  <Option name="active" type="bool" value="true"/>
-                  <Option name="expression" type="QString" value="coalesce(&quot;direction&quot;, 0)"/>
-                  <Option name="type" type="int" value="3"/>
+              <Option type="QString" name="name" value=""/>
+              <Option type="Map" name="properties">
+                <Option type="Map" name="angle">
+                  <Option type="bool" name="active" value="true"/>
+                  <Option type="QString" name="expression" value="coalesce(&quot;direction&quot;, 0)"/>
+                  <Option type="int" name="type" value="3"/>
                 </Option>
               </Option>
-              <Option name="type" type="QString" value="collection"/>
+              <Option type="QString" name="type" value="collection"/>
             </Option>
           </data_defined_properties>
         </layer>
@@ -169,14 +169,14 @@
       <editWidget type="ExternalResource">
         <config>
           <Option type="Map">
-            <Option name="DocumentViewer" type="int" value="0"/>
-            <Option name="FileWidget" type="bool" value="true"/>
-            <Option name="FileWidgetButton" type="bool" value="true"/>
-            <Option name="FileWidgetFilter" type="QString" value=""/>
-            <Option name="FullUrl" type="bool" value="true"/>
-            <Option name="RelativeStorage" type="int" value="0"/>
-            <Option name="StorageMode" type="int" value="0"/>
-            <Option name="UseLink" type="bool" value="true"/>
+            <Option type="int" name="DocumentViewer" value="0"/>
+            <Option type="bool" name="FileWidget" value="true"/>
+            <Option type="bool" name="FileWidgetButton" value="true"/>
+            <Option type="QString" name="FileWidgetFilter" value=""/>
+            <Option type="bool" name="FullUrl" value="true"/>
+            <Option type="int" name="RelativeStorage" value="0"/>
+            <Option type="int" name="StorageMode" value="0"/>
+            <Option type="bool" name="UseLink" value="true"/>
           </Option>
         </config>
       </editWidget>
@@ -199,12 +199,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -213,12 +213,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -255,12 +255,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -269,12 +269,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -283,12 +283,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -318,12 +318,12 @@
       <editWidget type="Range">
         <config>
           <Option type="Map">
-            <Option name="AllowNull" type="bool" value="true"/>
-            <Option name="Max" type="double" value="1e+09"/>
-            <Option name="Min" type="double" value="-1e+09"/>
-            <Option name="Precision" type="int" value="1"/>
-            <Option name="Step" type="double" value="0.1"/>
-            <Option name="Style" type="QString" value="SpinBox"/>
+            <Option type="bool" name="AllowNull" value="true"/>
+            <Option type="double" name="Max" value="1e+09"/>
+            <Option type="double" name="Min" value="-1e+09"/>
+            <Option type="int" name="Precision" value="1"/>
+            <Option type="double" name="Step" value="0.1"/>
+            <Option type="QString" name="Style" value="SpinBox"/>
           </Option>
         </config>
       </editWidget>
@@ -339,25 +339,25 @@
       <editWidget type="ExternalResource">
         <config>
           <Option type="Map">
-            <Option name="DefaultRoot" type="QString" value=""/>
-            <Option name="DocumentViewer" type="int" value="1"/>
-            <Option name="DocumentViewerHeight" type="int" value="220"/>
-            <Option name="DocumentViewerWidth" type="int" value="0"/>
-            <Option name="FileWidget" type="bool" value="false"/>
-            <Option name="FileWidgetButton" type="bool" value="false"/>
-            <Option name="PropertyCollection" type="Map">
-              <Option name="name" type="invalid"/>
-              <Option name="properties" type="Map">
-                <Option name="propertyRootPath" type="Map">
-                  <Option name="active" type="bool" value="true"/>
-                  <Option name="expression" type="QString" value="file_path(layer_property(@layer, 'path'))"/>
-                  <Option name="type" type="int" value="3"/>
+            <Option type="QString" name="DefaultRoot" value=""/>
+            <Option type="int" name="DocumentViewer" value="1"/>
+            <Option type="int" name="DocumentViewerHeight" value="220"/>
+            <Option type="int" name="DocumentViewerWidth" value="0"/>
+            <Option type="bool" name="FileWidget" value="false"/>
+            <Option type="bool" name="FileWidgetButton" value="false"/>
+            <Option type="Map" name="PropertyCollection">
+              <Option type="invalid" name="name"/>
+              <Option type="Map" name="properties">
+                <Option type="Map" name="propertyRootPath">
+                  <Option type="bool" name="active" value="true"/>
+                  <Option type="QString" name="expression" value="file_path(layer_property(@layer, 'path'))"/>
+                  <Option type="int" name="type" value="3"/>
                 </Option>
               </Option>
-              <Option name="type" type="QString" value="collection"/>
+              <Option type="QString" name="type" value="collection"/>
             </Option>
-            <Option name="RelativeStorage" type="int" value="2"/>
-            <Option name="StorageMode" type="int" value="0"/>
+            <Option type="int" name="RelativeStorage" value="2"/>
+            <Option type="int" name="StorageMode" value="0"/>
           </Option>
         </config>
       </editWidget>
@@ -384,44 +384,44 @@
     <alias name="Picture" field="preview" index="17"/>
   </aliases>
   <defaults>
-    <default field="photo" applyOnUpdate="0" expression=""/>
-    <default field="filename" applyOnUpdate="0" expression=""/>
-    <default field="directory" applyOnUpdate="0" expression=""/>
-    <default field="altitude" applyOnUpdate="0" expression=""/>
-    <default field="direction" applyOnUpdate="0" expression=""/>
-    <default field="rotation" applyOnUpdate="0" expression=""/>
-    <default field="longitude" applyOnUpdate="0" expression=""/>
-    <default field="latitude" applyOnUpdate="0" expression=""/>
-    <default field="timestamp" applyOnUpdate="0" expression=""/>
-    <default field="f35" applyOnUpdate="0" expression=""/>
-    <default field="hfov" applyOnUpdate="0" expression=""/>
-    <default field="vfov" applyOnUpdate="0" expression=""/>
-    <default field="width" applyOnUpdate="0" expression=""/>
-    <default field="height" applyOnUpdate="0" expression=""/>
-    <default field="dir_ref" applyOnUpdate="0" expression=""/>
-    <default field="h_acc" applyOnUpdate="0" expression=""/>
-    <default field="camera" applyOnUpdate="0" expression=""/>
-    <default field="preview" applyOnUpdate="0" expression=""/>
+    <default expression="" field="photo" applyOnUpdate="0"/>
+    <default expression="" field="filename" applyOnUpdate="0"/>
+    <default expression="" field="directory" applyOnUpdate="0"/>
+    <default expression="" field="altitude" applyOnUpdate="0"/>
+    <default expression="" field="direction" applyOnUpdate="0"/>
+    <default expression="" field="rotation" applyOnUpdate="0"/>
+    <default expression="" field="longitude" applyOnUpdate="0"/>
+    <default expression="" field="latitude" applyOnUpdate="0"/>
+    <default expression="" field="timestamp" applyOnUpdate="0"/>
+    <default expression="" field="f35" applyOnUpdate="0"/>
+    <default expression="" field="hfov" applyOnUpdate="0"/>
+    <default expression="" field="vfov" applyOnUpdate="0"/>
+    <default expression="" field="width" applyOnUpdate="0"/>
+    <default expression="" field="height" applyOnUpdate="0"/>
+    <default expression="" field="dir_ref" applyOnUpdate="0"/>
+    <default expression="" field="h_acc" applyOnUpdate="0"/>
+    <default expression="" field="camera" applyOnUpdate="0"/>
+    <default expression="" field="preview" applyOnUpdate="0"/>
   </defaults>
   <constraints>
-    <constraint field="photo" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="filename" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="directory" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="altitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="direction" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="rotation" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="longitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="latitude" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="timestamp" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="f35" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="hfov" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="vfov" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="width" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="height" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="dir_ref" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="h_acc" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="camera" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
-    <constraint field="preview" unique_strength="0" exp_strength="0" constraints="0" notnull_strength="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="photo" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="filename" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="directory" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="altitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="direction" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="rotation" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="longitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="latitude" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="timestamp" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="f35" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="hfov" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="vfov" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="width" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="height" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="dir_ref" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="h_acc" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="camera" notnull_strength="0" constraints="0"/>
+    <constraint unique_strength="0" exp_strength="0" field="preview" notnull_strength="0" constraints="0"/>
   </constraints>
   <constraintExpressions>
     <constraint desc="" field="photo" exp=""/>
@@ -445,7 +445,7 @@
   </constraintExpressions>
   <expressionfields/>
   <attributeactions/>
-  <attributetableconfig actionWidgetStyle="dropDown" sortExpression="" sortOrder="0">
+  <attributetableconfig sortOrder="0" sortExpression="" actionWidgetStyle="dropDown">
     <columns/>
   </attributetableconfig>
   <conditionalstyles>
@@ -461,7 +461,7 @@
   <featformsuppress>0</featformsuppress>
   <editorlayout>tablayout</editorlayout>
   <attributeEditorForm>
-    <attributeEditorContainer columnCount="1" name="Photo" visibilityExpressionEnabled="0" showLabel="1" groupBox="0" visibilityExpression="">
+    <attributeEditorContainer groupBox="0" visibilityExpressionEnabled="0" name="Photo" visibilityExpression="" showLabel="1" columnCount="1">
       <attributeEditorField name="preview" showLabel="1" index="17"/>
       <attributeEditorField name="filename" showLabel="1" index="1"/>
       <attributeEditorField name="direction" showLabel="1" index="4"/>
@@ -477,7 +477,7 @@
       <attributeEditorField name="photo" showLabel="1" index="0"/>
       <attributeEditorField name="directory" showLabel="1" index="2"/>
     </attributeEditorContainer>
-    <attributeEditorContainer columnCount="1" name="Place" visibilityExpressionEnabled="0" showLabel="1" groupBox="0" visibilityExpression="">
+    <attributeEditorContainer groupBox="0" visibilityExpressionEnabled="0" name="Place" visibilityExpression="" showLabel="1" columnCount="1">
       <attributeEditorField name="altitude" showLabel="1" index="3"/>
       <attributeEditorField name="h_acc" showLabel="1" index="15"/>
       <attributeEditorField name="longitude" showLabel="1" index="6"/>
@@ -486,7 +486,7 @@
   </attributeEditorForm>
   <editable/>
   <labelOnTop>
-    <field labelOnTop="1" name="preview"/>
+    <field name="preview" labelOnTop="1"/>
   </labelOnTop>
   <reuseLastValue/>
   <dataDefinedFieldProperties/>

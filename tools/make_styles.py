@@ -193,7 +193,8 @@ def replaced(expression, pairs):
 ORIENTED_TABS = {
     "Answer": ("preview", "status", "heading", "heading_lo", "heading_hi", "p_correct", "message"),
     "Match": (
-        *("pitch", "roll", "hfov", "vfov", "heading_2", "heading_3", "compass", "compass_df"),
+        *("pitch", "pitch_lo", "pitch_hi", "roll", "roll_lo", "roll_hi", "hfov", "hfov_lo", "hfov_hi", "vfov"),
+        *("heading_2", "heading_3", "compass", "compass_df"),
         *("ncc", "ncc_2nd", "sharpness", "horizon_m"),
     ),
     "Place": (
