@@ -23,7 +23,7 @@ def test_all_values_are_frozen():
 def test_what_a_photo_does_not_say_is_none_and_not_zero():
     facts = dataclasses.asdict(model.PhotoMetadata("a.jpg", 400, 300))
     known = {name for name, value in facts.items() if value is not None}
-    assert known == {"path", "width_px", "height_px", "focal_sigma", "orientation", "notes"}
+    assert known == {"path", "width_px", "height_px", "focal_sigma", "orientation", "notes", "panorama"}
     photo = model.OrientedPhoto("a.jpg", model.Orientation("failed", "No position."))
     said = {field.name for field in dataclasses.fields(photo) if getattr(photo, field.name) is not None}
     assert said == {"path", "orientation"}

@@ -139,7 +139,7 @@ def test_the_table_can_be_sorted_and_reads_well_without_a_script(page):
         if "data-numeric" in heads[index % len(heads)] and cell["data-sort"]:
             float(cell["data-sort"])
     statuses = [cell["data-sort"] for cell in cells[:: len(heads)]]
-    assert statuses == ["0", "1", "2", "3"]
+    assert statuses == ["0", "2", "3", "4"]  # by trust; nothing here is confirmed
 
 
 def test_every_label_of_the_bar_steers_an_input_that_stands_before_it(page):
