@@ -24,12 +24,12 @@ import numpy as np
 from skyline_viewshed.core.base.angles import difference
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from simulated_cases import LEVELS, dem_of, dem_paths, draw_case, take, truth_row  # noqa: E402
+from simulated_cases import LEVELS, ORDINARY, dem_of, dem_paths, draw_case, take, truth_row  # noqa: E402
 
 LIMITS_DEG = (0.2, 0.5, 1.0, 3.0)
 BINS = (0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 0.99, 1.0001)
 FOV_BINS_DEG = (0, 12, 25, 45, 90)
-SHARES = {"perfect": 0.2, "exact": 0.2, "clean": 0.2, "full": 0.4}
+SHARES = {"perfect": 0.2, "exact": 0.2, "clean": 0.2, "full": 0.4, "adverse": 0.4}
 
 
 def main(arguments=None):
@@ -37,7 +37,7 @@ def main(arguments=None):
     parser.add_argument("--count", type=int, default=240, help="photographs in all")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--levels", nargs="+", choices=LEVELS, default=list(LEVELS))
+    parser.add_argument("--levels", nargs="+", choices=LEVELS, default=list(ORDINARY))
     parser.add_argument("--dump", type=Path, help="write photographs and truth here instead of measuring")
     parser.add_argument("--long-side", type=int, default=None, help="pixels; 1024, or 640 with --dump")
     parser.add_argument("--work", type=Path, default=Path("build/simulated"), help="folder for procedural DEMs")
@@ -116,7 +116,8 @@ def line_of(row):
 
 def summarise(rows):
     """Compute accuracy and calibration, overall per level and by difficulty within the full level."""
-    summary = {level: accuracy([r for r in rows if r["group"] == level]) for level in LEVELS}
+    measured = [level for level in LEVELS if level in ORDINARY or any(r["group"] == level for r in rows)]
+    summary = {level: accuracy([r for r in rows if r["group"] == level]) for level in measured}
     full = [r for r in rows if r["group"] == "full"]
     by = {}
     for key in ("clouds", "foreground"):
@@ -125,7 +126,7 @@ def summarise(rows):
         by[f"hfov {low}-{high}"] = accuracy([r for r in full if low <= r["hfov_deg"] < high])
     for name in sorted({Path(r["dem"]).name for r in full}):
         by[name] = accuracy([r for r in full if Path(r["dem"]).name == name])
-    images = [r for r in rows if r["group"] in ("clean", "full")]
+    images = [r for r in rows if r["group"] in ("clean", "full", "adverse")]
     return {"levels": summary, "full_by": by, "reliability": reliability(images), "images": accuracy(images)}
 
 

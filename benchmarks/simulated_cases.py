@@ -7,7 +7,7 @@ DEM contains, stands a little off its recorded position, and its EXIF focal leng
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import lru_cache
 from pathlib import Path
@@ -27,10 +27,14 @@ from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 from skyline_viewshed.demo.weather import hard_scene
 
 ROOT = Path(__file__).resolve().parent.parent
-SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2}
+SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2, "adverse": 3}
 LEVELS = tuple(SEEDS)
 """perfect: the true skyline, drawn from the matcher's own DEM at the true position; exact: clear weather, ordinary
-lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: all of it."""
+lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: all of it;
+adverse: what went wrong on real photographs, in every picture: clouds above and before the ridge, a foreground, rolls to
+15 degrees, ultra-wide lenses, near terrain and an eye whose ground the DEM smooths."""
+ORDINARY = LEVELS[:4]
+"""The levels that are measured unless others are asked for."""
 
 REAL_DEMS = (
     "khumbu/dem/khumbu.tif",
@@ -117,9 +121,18 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     terrain = terrain_of(path, factor, detail_seed, strength)
     camera, f35 = _draw_camera(generator, level, long_side_px)
     options = ViewpointOptions(roll_sigma_deg=1.2 if clear else 2.8, largest_roll_deg=3.0 if clear else 8.0)
+    if level == "adverse":
+        options = ViewpointOptions(roll_sigma_deg=7.0, largest_roll_deg=15.0, near_m=10 * cell_m)
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, terrain)
     scene_seed = int(generator.integers(2**31))
-    scene = SceneOptions(scene_seed) if level != "full" else hard_scene(scene_seed)
+    scene = SceneOptions(scene_seed) if level not in ("full", "adverse") else hard_scene(scene_seed)
+    if level == "adverse":
+        scene = replace(
+            scene,
+            clouds=("behind", "lid")[int(generator.random() < 0.3)],
+            cloud_share=0.4 + 0.5 * generator.random(),
+            foreground=("trees", "people")[int(generator.random() < 0.3)],
+        )
     if clear:
         scene = SceneOptions(
             scene_seed,
@@ -128,7 +141,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
             visibility_m=80_000 + 120_000 * generator.random(),
         )
     long_tail = min(3.0 - 7.0 * np.log(1 - generator.random()), 20.0)
-    sigma = {"perfect": 0.0, "exact": 3.0, "clean": 3.0, "full": long_tail}[level]
+    sigma = {"perfect": 0.0, "exact": 3.0, "clean": 3.0, "full": long_tail, "adverse": long_tail}[level]
     east, north = sigma * np.sqrt(-np.log(1 - generator.random(2)))
     east, north = (np.array([east, north]) * np.sign(generator.random(2) - 0.5)).tolist()
     metadata = _metadata(generator, observer, camera, pose, f35, east, north, sigma)
@@ -152,7 +165,8 @@ def _draw_camera(generator, level, long_side):
     if portrait:
         width, height = height, width
     if generator.random() < 0.7:
-        f35 = (24, 26, 28, 35, 47, 50, 52, 71, 77, 120)[int(10 * generator.random())]
+        lenses = (24, 26, 28, 35, 47, 50, 52, 71, 77, 120)
+        f35 = (lenses if level != "adverse" else (13, 14, *lenses[:-2]))[int(10 * generator.random())]
     else:
         hfov = np.exp(np.log(4.0) + np.log(75 / 4.0) * generator.random())
         f35 = focal_of_fov_px(width, hfov) * DIAGONAL_35MM / np.hypot(width, height)
@@ -162,7 +176,7 @@ def _draw_camera(generator, level, long_side):
     wrong = 0.0 if level == "perfect" else 0.012
     focal = np.hypot(width, height) * f35 / DIAGONAL_35MM * (1 + wrong * (2 * generator.random() - 1) * 1.7)
     k1 = 0.0
-    if level == "full" and f35 < 40 and generator.random() < 0.3:
+    if level in ("full", "adverse") and f35 < 40 and generator.random() < 0.3:
         k1 = -0.10 * generator.random()
     return Camera(width, height, float(focal), k1=float(k1)), f35
 

@@ -47,6 +47,15 @@ def test_a_case_is_drawn_alike_every_time_and_levels_keep_their_promise(cases, s
     assert perfect.metadata.latitude_deg == pytest.approx(perfect.observer.latitude_deg, abs=1e-9)
 
 
+def test_adverse_scenes_hold_what_went_wrong_on_real_photographs(cases, small_dems):
+    drawn = [cases.draw_case(5, index, "adverse", small_dems, 160) for index in range(24)]
+    assert all(case.scene.clouds in ("behind", "lid") and case.scene.foreground != "none" for case in drawn)
+    assert all(case.scene.cloud_share >= 0.4 for case in drawn)
+    assert 8 < max(abs(case.pose.roll_deg) for case in drawn) <= 15
+    assert max(case.hfov_deg for case in drawn) > 80
+    assert "adverse" not in cases.ORDINARY
+
+
 def test_exact_and_clean_scenes_differ_by_the_mountain_alone(cases, small_dems):
     exact, clean = (cases.draw_case(5, 2, level, small_dems, 160) for level in ("exact", "clean"))
     assert (exact.factor, exact.roughness) == (1, 0.0)
