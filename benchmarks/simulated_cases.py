@@ -31,7 +31,7 @@ SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2, "adverse": 3}
 LEVELS = tuple(SEEDS)
 """perfect: the true skyline, drawn from the matcher's own DEM at the true position; exact: clear weather, ordinary
 lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: all of it;
-adverse: what went wrong on real photographs, in every picture: clouds above and before the ridge, a foreground, rolls to
+adverse: what went wrong on real photographs, in each picture: clouds above and before the ridge, a foreground, rolls to
 15 degrees, ultra-wide lenses, near terrain and an eye whose ground the DEM smooths."""
 ORDINARY = LEVELS[:4]
 """The levels that are measured unless others are asked for."""
