@@ -273,19 +273,17 @@ def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILE
 
 def _robustly(photo, setting, options, progress):
     """Orient by the robust method; return the orientation and the evidence that it matched."""
-    metadata, hints, robust = photo.metadata, setting.hints, options.robust
+    metadata, hints = photo.metadata, setting.hints
     evidence = hints.evidence
     if evidence is None:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
         check_skyline(evidence, needed=not hints.landmarks)
     else:
-        # A given skyline places the answer more exactly than the thumbnail of the ground, which only helps to choose
-        # between answers.
+        # A given skyline comes without what the picture shows below it, which helps to choose between answers.
         evidence = replace(evidence, thumbnail=thumbnail(photo.pixels))
-        robust = replace(robust, turn=replace(robust.turn, reach_deg=0.0))
     known = hints.heading, hints.landmarks, setting.position_error_m, setting.inner, setting.other_eyes
     inputs = MatchInputs(evidence, setting.prior, setting.horizon, *known, hints.recorded_heading_deg)
-    orientation = match_with_landmarks(match_robust, inputs, robust, subtask(progress, 0.4, 1.0))
+    orientation = match_with_landmarks(match_robust, inputs, options.robust, subtask(progress, 0.4, 1.0))
     return orientation, evidence.rival if orientation.behind else evidence
 
 

@@ -13,7 +13,6 @@ from .answers import Fits
 from .inner import InnerEvidence
 from .posterior import table
 from .refine import Objective, refine
-from .turn import turn
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,10 +65,6 @@ def fit(scorers, starts, belief, options, progress):
         full.append(Fits(trials, own.eye, score + scorer.prior, scale))
     fits = _distinct(_joined(full), options)
     fits = _with_second_evidence(fits, scorers, options)
-    scorer = scorers[fits.eye[0]]
-    if scorer.second and options.turn.reach_deg > 0:
-        fits.trials[0] = turn(scorer.objective, scorer.second, fits.trials[0], fits.scale[0], options.turn)
-        fits = _distinct(fits, options)
     fits.trials[:, 0] = wrap_360(fits.trials[:, 0])
     return fits
 

@@ -27,7 +27,6 @@ from .prior import log_ratio
 from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
-from .turn import TurnOptions
 
 HINT_MESSAGE = Message(
     "The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a "
@@ -49,7 +48,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    likelihood, search, refine, ridges, ground, turn, posterior
+    likelihood, search, refine, ridges, ground, posterior
         Options of the stages.
     short_scales : tuple of float
         Tolerances of the short fits, as multiples of the expected tolerance. The first is wide enough to converge and
@@ -70,7 +69,6 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
-    turn: TurnOptions = field(default_factory=TurnOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     short_scales: tuple = (3.0, 1.0, 0.5, 0.15)
     full_fits: int = 14
