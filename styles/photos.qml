@@ -492,6 +492,6 @@
   <dataDefinedFieldProperties/>
   <widgets/>
   <previewExpression>file_name("photo")</previewExpression>
-  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace(with_variable('beside', file_path(layer_property(@layer, 'path')) || '/' || "preview", if(file_exists(@beside), @beside, coalesce("preview", "photo"))), '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
+  <mapTip>&lt;img src="file:///[% replace(replace(replace(replace(replace(replace(replace(with_variable('beside', file_path(layer_property(@layer, 'path')) || '/' || attribute($currentfeature, 'preview'), if(file_exists(@beside), @beside, coalesce(attribute($currentfeature, 'preview'), "photo"))), '\\', '/'), '%', '%25'), '#', '%23'), '?', '%3F'), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %]" width="320"/>&lt;br/>[% replace(replace(replace(file_name("photo"), '&amp;', '&amp;amp;'), '&lt;', '&amp;lt;'), '"', '&amp;quot;') %] [% coalesce('recorded ' || round("direction", 1) || '°', '') %]</mapTip>
   <layerGeometryType>0</layerGeometryType>
 </qgis>

@@ -182,6 +182,7 @@ def inputs():
         "orientphotos": {"INPUT": points, "DEM": scene["dem"]},
         "photoviewshed": {"FOLDER": scene["folder"], "DEM": scene["dem"], "MAX_DISTANCE": 3000},
         "directedviewshed": common,
+        "exportheadings": {"INPUT": points},
         "extractskyline": {"INPUT": points},
         "horizonprofile": {"INPUT": points, "DEM": scene["dem"], "MAX_DISTANCE": 3000},
         "simulatephotos": {"INPUT": points, "DEM": scene["dem"], "WIDTH": 200, "HEIGHT": 150},

@@ -167,9 +167,12 @@ def map_tip(words):
 FOLDER = "file_path(layer_property(@layer, 'path'))"
 """Folder of the layer's file; paths in the field `preview` count from it."""
 
+PREVIEW = "attribute($currentfeature, 'preview')"
+"""Value of the field `preview`; NULL in a layer without it, where the field's own name would spoil the map tip."""
+
 PICTURE = (
-    f"with_variable('beside', {FOLDER} || '/' || \"preview\", "
-    'if(file_exists(@beside), @beside, coalesce("preview", "photo")))'
+    f"with_variable('beside', {FOLDER} || '/' || {PREVIEW}, "
+    f'if(file_exists(@beside), @beside, coalesce({PREVIEW}, "photo")))'
 )
 MESSAGE, NAME = '"message"', 'file_name("photo")'
 

@@ -29,6 +29,9 @@ from .i18n import in_users_language, tr
 from .stored_style import store_style
 
 IN_MEMORY = ("TEMPORARY_OUTPUT", "memory:")
+SURE_FORMAT = ".gpkg"
+"""Format that holds every field and geometry of ours."""
+
 NO_FILE = re.compile(r"TEMPORARY_OUTPUT|/vsi|[A-Za-z]\w{2,}:")
 """Beginnings of destinations that are not plain paths, such as `memory:` or `postgis:`; a drive's name is one
 letter."""
@@ -83,6 +86,8 @@ def write_features(algorithm, parameters, name, context, fields, geometry_type, 
 def rehearse(algorithm, parameters, name, context, kind):
     """Write the output without features in a temporary folder, so that a long run does not end in a refusal.
 
+    If a GeoPackage cannot be written there either, the temporary folder is at fault, and not the format.
+
     Parameters
     ----------
     kind : (QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem)
@@ -93,24 +98,33 @@ def rehearse(algorithm, parameters, name, context, kind):
         The format cannot hold the fields or the geometry.
     """
     given = destination(parameters.get(name), context)
-    if not is_plain_file(given):
+    if not is_plain_file(given) or given.lower().endswith(SURE_FORMAT):
         return
-    fields, geometry_type, crs = kind
-    # Without values, no field can number the features; which name that field gets does not matter here.
-    fields, _ = writable(fields, [(None, [None] * len(fields))], given)
-    path = Path(given)
-    alone = QgsProcessingContext()
-    alone.setTransformContext(context.transformContext())
     with TemporaryDirectory(prefix="skyline-") as folder:
-        try:
-            empty = {name: _moved(parameters[name], str(Path(folder) / path.name))}
-            _written(algorithm, {**parameters, **empty}, name, alone, (fields, geometry_type, crs), [], path)
-        except (OutputError, QgsProcessingException) as error:
+        trial = Path(folder)
+        fault = _trial_fault(algorithm, parameters, name, context, kind, trial / Path(given).name)
+        if fault and not _trial_fault(algorithm, parameters, name, context, kind, trial / f"control{SURE_FORMAT}"):
             raise QgsProcessingException(
                 tr("{path} cannot hold the fields of the photo points: {reason} Write a GeoPackage (.gpkg).").format(
-                    path=given, reason=in_users_language(getattr(error, "message", None) or str(error))
+                    path=given, reason=in_users_language(fault)
                 )
-            ) from None
+            )
+
+
+def _trial_fault(algorithm, parameters, name, context, kind, target):
+    """Write the output without features to `target` and return the message of the fault, or None."""
+    fields, geometry_type, crs = kind
+    # Without values, no field can number the features; which name that field gets does not matter here.
+    fields, _ = writable(fields, [(None, [None] * len(fields))], str(target))
+    alone = QgsProcessingContext()
+    alone.setTransformContext(context.transformContext())
+    given = Path(destination(parameters[name], context))
+    try:
+        empty = {name: _moved(parameters[name], str(target))}
+        _written(algorithm, {**parameters, **empty}, name, alone, (fields, geometry_type, crs), [], given)
+    except (OutputError, QgsProcessingException) as error:
+        return getattr(error, "message", None) or str(error)
+    return None
 
 
 def _written(algorithm, parameters, name, context, kind, rows, path=None):

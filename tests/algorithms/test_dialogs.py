@@ -134,19 +134,22 @@ def test_outputs_are_dressed_when_they_are_loaded(run, scene):
     assert str(scene.folder) in layer.metadata().abstract() and "QGIS" in layer.metadata().history()[0]
 
 
+@pytest.mark.parametrize("preview", [False, True], ids=["no preview", "preview"])
 @pytest.mark.parametrize("style", ["oriented", "photos", "polygons"])
-def test_a_hostile_file_name_stays_text_in_the_map_tip(qgis_app, style):
+def test_a_hostile_file_name_stays_text_in_the_map_tip(qgis_app, style, preview):
     from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsVectorLayer
     from skyline_viewshed.algorithms.shared.styling import STYLES
 
     fields = "&".join(f"field={name}:string" for name in ("photo", "status", "message"))
     reals = "&".join(f"field={name}:double" for name in ("heading", "direction", "area_m2", "farthest_m"))
     kind = "Polygon" if style == "polygons" else "Point"
-    layer = QgsVectorLayer(f"{kind}?crs=EPSG:4326&{fields}&{reals}", "layer", "memory")
+    own = "&field=preview:string" if preview else ""
+    layer = QgsVectorLayer(f"{kind}?crs=EPSG:4326&{fields}&{reals}{own}", "layer", "memory")
     layer.loadNamedStyle(str(STYLES / f"{style}.qml"))
     feature = QgsFeature(layer.fields())
     name = 'it\'s "50 %" & #1? <img src=x onerror=alert(1)>.jpg'
-    feature.setAttributes([f"/photos/{name}", "failed", "<script>no</script>", 12.0, 12.0, 1e6, 1e3])
+    values = [f"/photos/{name}", "failed", "<script>no</script>", 12.0, 12.0, 1e6, 1e3]
+    feature.setAttributes([*values, f"/seen/{name}"] if preview else values)
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
     context.setFeature(feature)
     shown = QgsExpression.replaceExpressionText(layer.mapTipTemplate(), context)
@@ -155,4 +158,4 @@ def test_a_hostile_file_name_stays_text_in_the_map_tip(qgis_app, style):
     assert html.unescape(shown).count(name) == 1
     if style != "polygons":
         source = html.unescape(re.search(r'src="([^"]*)"', shown).group(1))
-        assert QUrl(source).toLocalFile().lstrip("/") == f"photos/{name}"
+        assert QUrl(source).toLocalFile().lstrip("/") == f"{'seen' if preview else 'photos'}/{name}"

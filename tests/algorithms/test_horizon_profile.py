@@ -20,11 +20,12 @@ def point_layer(points, crs="EPSG:4326"):
 def test_parameters_are_the_contract(algorithm):
     it = algorithm("horizonprofile")
     definitions = it.parameterDefinitions()
-    assert [definition.name() for definition in definitions[:9]] == [
-        "INPUT", "DEM", "BAND", "EYE_HEIGHT", "MAX_DISTANCE", "AZIMUTH_STEP", "REFRACTION", "OUTPUT", "REPORT",
+    assert [definition.name() for definition in definitions[:10]] == [
+        "INPUT", "DEM", "BAND", "DEM_UNIT", "EYE_HEIGHT", "MAX_DISTANCE", "AZIMUTH_STEP", "REFRACTION",
+        "OUTPUT", "REPORT",
     ]  # fmt: skip
-    flags = [definition.flags() & definition.Flag.FlagAdvanced for definition in definitions[9:]]
-    assert all(flags) and [definition.name() for definition in definitions[9:]] == [
+    flags = [definition.flags() & definition.Flag.FlagAdvanced for definition in definitions[10:]]
+    assert all(flags) and [definition.name() for definition in definitions[10:]] == [
         "SKY_VIEW_EXTENT", "SKY_VIEW_DISTANCE", "SKY_VIEW",
     ]  # fmt: skip
 

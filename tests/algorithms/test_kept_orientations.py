@@ -67,9 +67,17 @@ def solved(monkeypatch):
 
 
 def rows_of(path):
+    """Geometry and fields of every feature; the path of a picture, which counts from the layer's folder, as a whole."""
     layer = QgsVectorLayer(str(path), "rows", "ogr")
     columns = [field.name() for field in layer.fields() if field.name() != "fid"]
-    return [(f.geometry().asWkt(9), [f[name] for name in columns]) for f in layer.getFeatures()]
+    rows = []
+    for feature in layer.getFeatures():
+        values = {name: feature[name] for name in columns}
+        if "preview" in values:
+            values["preview"] = os.path.normpath(path.parent / values["preview"])
+            assert os.path.isfile(values["preview"])
+        rows.append((feature.geometry().asWkt(9), values))
+    return rows
 
 
 def test_one_file_per_photo_that_has_an_answer(first):

@@ -198,7 +198,8 @@ def test_a_layer_s_legend_speaks_the_language(speaking, run, scene, tmp_path):
     context.layerToLoadOnCompletionDetails(points).postProcessor().postProcessLayer(layer, context, None)
     labels = [category.label() for category in layer.renderer().categories()]
     assert labels == [catalogue[label] for label in (
-        "accepted: trust it", "ambiguous: look at the report", "rejected: no answer", "failed: input at fault",
+        "accepted: trust it", "confirmed by a person", "ambiguous: look at the report", "rejected: no answer",
+        "failed: input at fault",
     )]  # fmt: skip
 
 

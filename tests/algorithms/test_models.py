@@ -165,7 +165,8 @@ def test_an_optional_parameter_without_a_value_has_its_default(provider):
         for it in algorithm.parameterDefinitions():
             if not (it.flags() & advanced) or it.isDestination() or it.defaultValue() is None:
                 continue
-            read = getattr(algorithm, readers.get(it.type(), "parameterAsString"))
+            several = it.type() == "enum" and it.allowMultiple()
+            read = getattr(algorithm, "parameterAsEnums" if several else readers.get(it.type(), "parameterAsString"))
             for given in ({}, {it.name(): None}):
                 assert read(given, it.name(), context) == it.defaultValue(), (algorithm.name(), it.name())
             seen += 1

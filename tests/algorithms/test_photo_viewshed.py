@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingException, QgsVectorLayer
+from rasters import make_tif
 from skyline_viewshed.core.io.raster import open_dem
 
 
@@ -164,13 +165,15 @@ def test_two_steps_give_the_same_as_one(solved, run, scene):
         ({}, "Choose a folder"),
         ({"FOLDER": "{folder}", "INPUT": "{points}"}, "not both"),
         ({"FOLDER": "/no/such/folder"}, "does not exist"),
-        ({"FOLDER": "{folder}", "DEM": "{folder}/north.jpg"}, "coordinate"),
+        ({"FOLDER": "{folder}", "DEM": "{folder}/north.jpg"}, "is a colour picture"),
+        ({"FOLDER": "{folder}", "DEM": "{nowhere}"}, "coordinate"),
         ({"FOLDER": "{folder}", "MIN_DISTANCE": 10_000, "MAX_DISTANCE": 10_000}, "smaller"),
         ({"FOLDER": "{folder}", "REPORT": "{dem}/report.html"}, "not a folder you may write to"),
     ],
 )
 def test_wrong_choices_are_named_before_anything_runs(refusal, run, scene, tmp_path, changes, words):
     texts = {"folder": scene.folder, "dem": scene.dem, "points": tmp_path / "points.gpkg"}
+    texts["nowhere"] = make_tif(tmp_path / "nowhere.tif", np.full((20, 20), 900, np.int16), crs=None)
     run("importphotos", {"FOLDER": str(scene.folder), "OUTPUT": str(texts["points"])})
     given = {key: value.format(**texts) if isinstance(value, str) else value for key, value in changes.items()}
     parameters = {"DEM": str(scene.dem), "OUTPUT": "memory:", "POLYGONS": "memory:", "VIEWSHED": "TEMPORARY_OUTPUT"}
