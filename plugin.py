@@ -1,4 +1,4 @@
-"""The plugin's entry point for QGIS: it registers the Processing provider, and shows in the desktop where to begin."""
+"""The plugin's entry point for QGIS: the Processing provider, and in the desktop where to begin and the Photo view."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from .processing_provider.provider import SkylineViewshedProvider
 TRANSLATIONS = Path(__file__).parent / "i18n"
 GREETED = "skyline_viewshed/greeted"
 """Setting that records that the user has been told where to begin."""
+MENU = "Skyline Viewshed"
+"""The plugin's menu; a proper name, not translated."""
 
 
 class SkylineViewshedPlugin:
@@ -31,6 +33,7 @@ class SkylineViewshedPlugin:
         self.provider = None
         self.translator = None
         self.start = self.dialog = None
+        self.photo_view = self.photo_view_action = None
 
     def initProcessing(self):
         """Register the provider; qgis_process calls only this step."""
@@ -51,6 +54,7 @@ class SkylineViewshedPlugin:
         """Start in the desktop application."""
         self.initProcessing()
         self._show_where_to_begin()
+        self._add_photo_view()
 
     def _show_where_to_begin(self):
         """Add a button and a menu entry that open the main dialog, and point to them once, after the first start."""
@@ -60,7 +64,7 @@ class SkylineViewshedPlugin:
         self.start.setToolTip(tr("Skyline Viewshed: choose photos and an elevation model, and run"))
         self.start.triggered.connect(self._begin)
         self.iface.addToolBarIcon(self.start)
-        self.iface.addPluginToMenu("Skyline Viewshed", self.start)
+        self.iface.addPluginToMenu(MENU, self.start)
         settings = QgsSettings()
         if not settings.value(GREETED, False, type=bool):
             settings.setValue(GREETED, True)
@@ -74,13 +78,38 @@ class SkylineViewshedPlugin:
         self.dialog = processing.createAlgorithmDialog("skylineviewshed:photoviewshed", {})
         self.dialog.show()
 
+    def _add_photo_view(self):
+        """Add the panel's button and menu entry; the panel itself is made when it is first opened."""
+        title = tr("Photo view")
+        icon = QIcon(str(Path(__file__).parent / "icons" / "photo_view.svg"))
+        self.photo_view_action = QAction(icon, title, self.iface.mainWindow())
+        self.photo_view_action.setToolTip(tr("Look at oriented photographs beside the map, correct and measure."))
+        self.photo_view_action.triggered.connect(self.open_photo_view)
+        self.iface.addToolBarIcon(self.photo_view_action)
+        self.iface.addPluginToMenu(MENU, self.photo_view_action)
+
+    def open_photo_view(self):
+        """Open the panel for the active layer."""
+        if self.photo_view is None:
+            from .panel.controller import PhotoView
+
+            self.photo_view = PhotoView(self.iface)
+        self.photo_view.open()
+
     def unload(self):
         """Restore QGIS to its previous state."""
         if self.start is not None:
             self.iface.removeToolBarIcon(self.start)
-            self.iface.removePluginMenu("Skyline Viewshed", self.start)
+            self.iface.removePluginMenu(MENU, self.start)
             self.start.deleteLater()
             self.start = None
+        if self.photo_view is not None:
+            self.photo_view.remove()
+            self.photo_view = None
+        if self.photo_view_action is not None:
+            self.iface.removeToolBarIcon(self.photo_view_action)
+            self.iface.removePluginMenu(MENU, self.photo_view_action)
+            self.photo_view_action = None
         if self.provider is not None:
             registry = QgsApplication.processingRegistry()
             registry.providerAdded.disconnect(self._renew_models)

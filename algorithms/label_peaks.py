@@ -18,7 +18,7 @@ from .shared.map_places import map_of_local, number
 from .shared.outputs import write_features
 from .shared.picture_files import PictureFolder
 from .shared.styling import style_on_completion
-from .shared.summit_input import Summitry, add_summit_parameters
+from .shared.summit_input import add_summit_parameters, summits_of
 from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 
@@ -78,7 +78,7 @@ class LabelPeaks(DemAlgorithm):
     def compute(self, parameters, context, feedback):
         """Label photo by photo, then write."""
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
-        summits = Summitry(self, parameters, context, terrain, self.dem.crs)
+        summits = summits_of(self, parameters, context, terrain, self.dem.crs)
         folder = self.parameterAsString(parameters, "PICTURES", context)
         pictures, rows, visible = PictureFolder(folder), [], 0
         reach = options.max_distance_m

@@ -25,7 +25,7 @@ from .shared.outputs import write_features
 from .shared.panorama_files import PanoramaFolder
 from .shared.statuses import relied_on
 from .shared.styling import style_on_completion
-from .shared.summit_input import Summitry, add_summit_parameters
+from .shared.summit_input import add_summit_parameters, summits_of
 
 
 class Panorama(DemAlgorithm):
@@ -111,7 +111,7 @@ class Panorama(DemAlgorithm):
         _, rows = read_points(self, parameters, context)
         terrain = self.dem.open()
         options = self._options(parameters, context)
-        summits = Summitry(self, parameters, context, terrain, self.dem.crs)
+        summits = summits_of(self, parameters, context, terrain, self.dem.crs)
         photos = self._photos(parameters, context, feedback)
         folder = PanoramaFolder(self, parameters, context, terrain, summits, photos)
         eye_height_m = self.parameterAsDouble(parameters, "EYE_HEIGHT", context)

@@ -49,8 +49,8 @@ pytest_plugins = [name for name in PYTEST_QGIS if HAVE_QGIS and find_spec("pytes
 
 def pytest_ignore_collect(collection_path, config):
     """Skip the QGIS tests if there is no QGIS (make test-core in a plain environment)."""
-    if not HAVE_QGIS and "algorithms" in collection_path.parts and collection_path.is_relative_to(ROOT / "tests"):
-        return True
+    if not HAVE_QGIS and collection_path.is_relative_to(ROOT / "tests"):
+        return True if {"algorithms", "panel"} & set(collection_path.parts[len(ROOT.parts) :]) else None
     return None
 
 

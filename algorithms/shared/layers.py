@@ -194,13 +194,16 @@ def path_column(algorithm, parameters, context, source, name):
 
 def base_folders(algorithm, parameters, context, name):
     """Folders to which a path may be relative: the layer's, then the project's."""
+    return folders_of(algorithm.parameterAsVectorLayer(parameters, name, context), context.project())
+
+
+def folders_of(layer, project):
+    """Folders to which a layer's paths may be relative: its own, then the project's; either may be None."""
     folders = []
-    layer = algorithm.parameterAsVectorLayer(parameters, name, context)
     if layer is not None and layer.dataProvider() is not None:
         parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
         if parts.get("path"):
             folders.append(Path(parts["path"]).parent)
-    project = context.project()
     if project is not None and project.homePath():
         folders.append(Path(project.homePath()))
     return tuple(folders)

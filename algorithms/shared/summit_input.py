@@ -23,7 +23,7 @@ from .fields import is_null, metres_of
 from .i18n import tr
 from .map_places import local_of_map, simple_parts, to_dem_transform, transformed
 
-SNAP_M = 500.0
+SNAP_M, LEAST_M = 500.0, 150.0
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def add_summit_parameters(algorithm):
     least = shared.distance(
         "MIN_PROMINENCE",
         tr("Minimum prominence (m)"),
-        150.0,
+        LEAST_M,
         tr("Prominence of the summits that are found in the DEM."),
         1.0,
     )
@@ -90,8 +90,8 @@ def snap_distance():
     )
 
 
-class Summitry:
-    """The summits of one run.
+def summits_of(algorithm, parameters, context, terrain, dem_crs):
+    """The summits that the parameters of `add_summit_parameters` name.
 
     Parameters
     ----------
@@ -100,25 +100,47 @@ class Summitry:
     terrain : core.io.raster.Dem
     dem_crs : QgsCoordinateReferenceSystem
     """
+    given = None
+    if not is_null(parameters.get("PEAKS")):
+        source = algorithm.parameterAsSource(parameters, "PEAKS", context)
+        if source is None:
+            raise QgsProcessingException(algorithm.invalidSourceError(parameters, "PEAKS"))
+        given = _given(algorithm, parameters, context, source, dem_crs)
+    numbers = (algorithm.parameterAsDouble(parameters, key, context) for key in ("SNAP", "MIN_PROMINENCE"))
+    return Summitry(terrain, given, *numbers, context.feedback())
 
-    def __init__(self, algorithm, parameters, context, terrain, dem_crs):
-        self.terrain = terrain
-        self.snap_m = algorithm.parameterAsDouble(parameters, "SNAP", context)
-        self.least_m = algorithm.parameterAsDouble(parameters, "MIN_PROMINENCE", context)
-        self.given, self._feedback, self._told = None, context.feedback(), set()
-        if not is_null(parameters.get("PEAKS")):
-            source = algorithm.parameterAsSource(parameters, "PEAKS", context)
-            if source is None:
-                raise QgsProcessingException(algorithm.invalidSourceError(parameters, "PEAKS"))
-            from ...core.io.osm_summits import is_extract
 
-            layer = algorithm.parameterAsVectorLayer(parameters, "PEAKS", context)
-            path = "" if layer is None else layer.source().split("|")[0]
-            if is_extract(path):
-                self.given = _of_extract(path, dem_crs, context)
-                return
-            names = [algorithm.parameterAsString(parameters, key, context) for key in ("NAME_FIELD", "ELEVATION_FIELD")]
-            self.given = _read(source, *names, to_dem_transform(source.sourceCrs(), dem_crs, context))
+def _given(algorithm, parameters, context, source, dem_crs):
+    """Summits of a layer, or of the OpenStreetMap extract to which it belongs."""
+    from ...core.io.osm_summits import is_extract
+
+    layer = algorithm.parameterAsVectorLayer(parameters, "PEAKS", context)
+    path = "" if layer is None else layer.source().split("|")[0]
+    if is_extract(path):
+        return _of_extract(path, dem_crs, context)
+    names = [algorithm.parameterAsString(parameters, key, context) for key in ("NAME_FIELD", "ELEVATION_FIELD")]
+    return read_summits(source, *names, to_dem_transform(source.sourceCrs(), dem_crs, context))
+
+
+class Summitry:
+    """The summits of one run.
+
+    Parameters
+    ----------
+    terrain : core.io.raster.Dem
+    given : list or None
+        From `read_summits`; None searches the DEM.
+    snap_m : float
+        Search radius around a published summit [m].
+    least_m : float
+        Prominence of the summits that are found in the DEM [m].
+    feedback : QgsProcessingFeedback or None
+        Gets the warnings; None keeps silent.
+    """
+
+    def __init__(self, terrain, given=None, snap_m=SNAP_M, least_m=LEAST_M, feedback=None):
+        self.terrain, self.given, self.snap_m, self.least_m = terrain, given, snap_m, least_m
+        self._feedback, self._told = feedback, set()
 
     def around(self, view, max_distance_m):
         """(name, east, north, height, dem height, moved, prominence) of the summits within reach of a view."""
@@ -197,7 +219,16 @@ def _importance(summit):
     return (-summit.elevation_deg - summit.height_m / 2000.0, summit.name)
 
 
-def _read(source, name_field, height_field, transform):
+def read_summits(source, name_field, height_field, transform):
+    """Read (name, x, y, height or None) of the summits of a layer, in the transform's target.
+
+    Parameters
+    ----------
+    source : QgsFeatureSource
+    name_field, height_field : str
+        The latter may be missing.
+    transform : QgsCoordinateTransform
+    """
     known = {field.name() for field in source.fields()}
     if name_field not in known:
         raise QgsProcessingException(

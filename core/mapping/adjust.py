@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..base.angles import wrap_360
-from ..base.camera import Camera, Pose, focal_of_fov_px, project, unproject
+from ..base.camera import Camera, Pose, focal_of_fov_px, in_frame, project, unproject
+from ..base.curvature import apparent_drop_m
 from ..base.overlay_lines import horizon_line, skyline_line
 
 STEEPEST_DEG = 85.0
@@ -187,6 +188,40 @@ def fitted_to_landmarks(camera, pose, landmarks, focal_sigma):
     trial = least_squares(misses, np.zeros(4), loss="soft_l1", f_scale=3.0).x
     lens, turned = unpacked(trial)
     return lens, replace(turned, heading_deg=float(wrap_360(turned.heading_deg)))
+
+
+def horizon_marks(terrain, horizon, frame, camera, pose):
+    """Places of the map on the horizon, and where a camera shows them: what a person says who moved the horizon there.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    horizon : HorizonProfile
+    frame : LocalFrame
+        Around the eye.
+    camera : Camera
+    pose : Pose
+
+    Returns
+    -------
+    list of (x_px, y_px, longitude_deg, latitude_deg, elevation_m)
+        About five, across the picture; empty if the picture shows no horizon.
+    """
+    azimuth, angle = np.asarray(horizon.azimuth_deg, float), np.asarray(horizon.elevation_deg, float)
+    x, y = project(camera, pose, azimuth, angle)
+    shown = np.flatnonzero(in_frame(camera, x, y) & np.isfinite(horizon.distance_m))
+    marks = []
+    for share in (0.1, 0.3, 0.5, 0.7, 0.9):
+        if not shown.size:
+            break
+        k = shown[np.abs(x[shown] - share * camera.width_px).argmin()]
+        if any(mark[0] == float(x[k]) for mark in marks):
+            continue
+        far, turn = float(horizon.distance_m[k]), np.radians(azimuth[k])
+        column, row = frame.to_pixel(far * np.sin(turn), far * np.cos(turn))
+        height = horizon.eye_elevation_m + far * np.tan(np.radians(angle[k])) + apparent_drop_m(far)
+        marks.append((float(x[k]), float(y[k]), *map(float, terrain.position_of(column, row)), float(height)))
+    return marks
 
 
 def hand_sigma_deg(camera):

@@ -97,29 +97,26 @@ def line_without(evidence, left_out):
     return row
 
 
-def repaired(x_px, y_px, strokes):
-    """Replace stretches of a line; each stroke replaces what lies between its left and right end.
+def joined(strokes):
+    """Join strokes to one line; each replaces what earlier ones drew between its left and right end.
 
     Parameters
     ----------
-    x_px, y_px : (N,) arrays
-        The line [pixels of the full upright picture]; NaN where it is unknown.
     strokes : sequence of sequences of (x_px, y_px)
         In the order in which they were drawn.
 
     Returns
     -------
-    x_px, y_px : arrays
-        In order of x, without NaN.
+    tuple of (x_px, y_px)
+        From left to right.
     """
-    known = np.isfinite(x_px) & np.isfinite(y_px)
-    x, y = np.asarray(x_px, float)[known], np.asarray(y_px, float)[known]
+    x, y = np.zeros(0), np.zeros(0)
     for stroke in strokes:
         points = np.asarray(stroke, float).reshape(-1, 2)
         keep = (x < points[:, 0].min()) | (x > points[:, 0].max())
         x, y = np.concatenate([x[keep], points[:, 0]]), np.concatenate([y[keep], points[:, 1]])
     order = np.argsort(x, kind="stable")
-    return x[order], y[order]
+    return tuple(zip(x[order].tolist(), y[order].tolist()))
 
 
 def full_size_line(evidence, row_px):
@@ -147,3 +144,32 @@ def sky_mask(row_px, rows):
     with np.errstate(invalid="ignore"):
         sky = np.arange(rows)[:, None] < np.round(row_px)[None, :]
     return np.where(sky, 255, 0).astype(np.uint8)
+
+
+def edited_rows(evidence, strokes, brush):
+    """Give the skyline with everything that a person did to it.
+
+    Parameters
+    ----------
+    evidence : SkylineEvidence
+        As extracted.
+    strokes : sequence of sequences of (x_px, y_px)
+        Drawn over the line, in order [pixels of the full upright picture].
+    brush : sequence of BrushStroke
+        Parts of the picture to leave out.
+
+    Returns
+    -------
+    (w,) array
+        Row of the first terrain pixel on the evidence's picture; NaN where none is known.
+    """
+    height, width = evidence.probability.shape
+    size = evidence.width_px, evidence.height_px
+    row = line_without(evidence, brushed(brush, size, (height, width)))
+    x = (np.arange(width) + 0.5) * (size[0] / width) - 0.5
+    for stroke in strokes:
+        points = np.asarray(stroke, float).reshape(-1, 2)
+        points = points[np.argsort(points[:, 0], kind="stable")]
+        inside = (x >= points[0, 0]) & (x <= points[-1, 0])
+        row[inside] = (np.interp(x[inside], points[:, 0], points[:, 1]) + 0.5) * (height / size[1])
+    return row

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scenes import mountain_scene
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, project, unproject
+from skyline_viewshed.core.base.curvature import apparent_drop_m
 from skyline_viewshed.core.base.model import Skyline
 from skyline_viewshed.core.horizon.horizon import horizon_profile
 from skyline_viewshed.core.mapping import adjust
@@ -90,3 +91,19 @@ def test_levelling_puts_the_horizon_on_the_skyline():
 def test_a_hand_is_a_three_hundredth_of_the_picture():
     assert adjust.hand_sigma_deg(CAMERA) == pytest.approx(65 / 300, rel=0.15)
     assert adjust.assumed_camera(300, 200).hfov_deg == pytest.approx(60.0)
+
+
+def test_marks_lie_on_the_horizon_and_lead_back_to_it():
+    scene = mountain_scene(1)
+    terrain, eye = scene.terrain, scene.observer
+    horizon = horizon_profile(terrain, eye)
+    frame = terrain.frame(eye.longitude_deg, eye.latitude_deg, 40_000.0)
+    marks = adjust.horizon_marks(terrain, horizon, frame, scene.camera, scene.pose)
+    assert 3 <= len(marks) <= 5
+    for x, y, longitude, latitude, elevation_m in marks:
+        east, north = terrain.local_of(eye, longitude, latitude)
+        distance = np.hypot(east, north)
+        rise = elevation_m - apparent_drop_m(distance) - horizon.eye_elevation_m
+        direction = np.degrees(np.arctan2(east, north)), np.degrees(np.arctan2(rise, distance))
+        assert np.allclose(project(scene.camera, scene.pose, *direction), (x, y), atol=0.5)
+    assert adjust.horizon_marks(terrain, horizon, frame, scene.camera, Pose(0.0, 80.0)) == []

@@ -9,9 +9,10 @@ from skyline_viewshed.core.skyline.given import evidence_from_mask
 from skyline_viewshed.core.skyline.repair import (
     BrushStroke,
     brushed,
+    edited_rows,
     full_size_line,
+    joined,
     line_without,
-    repaired,
     sky_mask,
 )
 
@@ -47,12 +48,18 @@ def test_brushing_over_the_line_takes_the_next_likely_row(evidence):
 def test_strokes_replace_stretches_of_the_line(evidence):
     x, y = full_size_line(evidence, evidence.best.row_px)
     assert (x[0], y[0]) == pytest.approx((1.5, 79.5))
-    new_x, new_y = repaired(x, y, [[(100.0, 160.0), (200.0, 161.0)]])
-    assert np.all(np.diff(new_x) >= 0)
-    assert set(new_y[(new_x >= 100) & (new_x <= 200)]) == {160.0, 161.0}
-    assert set(new_y[new_x < 100]) == {79.5}
-    alone = repaired(np.zeros(0), np.zeros(0), [[(5.0, 1.0), (2.0, 3.0)]])
-    assert alone[0].tolist() == [2.0, 5.0]
+    row = edited_rows(evidence, [[(200.0, 160.0), (100.0, 160.0)]], ())
+    x, y = full_size_line(evidence, row)
+    inside = (x >= 100) & (x <= 200)
+    assert y[inside] == pytest.approx(160.0) and y[~inside] == pytest.approx(79.5)
+    brush = [BrushStroke(((0.0, 79.5), (90.0, 79.5)), 12.0)]
+    x, y = full_size_line(evidence, edited_rows(evidence, [[(200.0, 160.0), (100.0, 160.0)]], brush))
+    assert y[x < 90] == pytest.approx(159.5) and y[x > 210] == pytest.approx(79.5)
+
+
+def test_joined_strokes_run_from_left_to_right():
+    strokes = [[(10.0, 5.0), (30.0, 5.0), (50.0, 5.0)], [(40.0, 9.0), (20.0, 9.0)]]
+    assert joined(strokes) == ((10.0, 5.0), (20.0, 9.0), (40.0, 9.0), (50.0, 5.0))
 
 
 def test_a_mask_reads_back_as_its_line():

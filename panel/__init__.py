@@ -1,0 +1,1 @@
+"""The Photo view: a panel beside the map to look at oriented photographs, correct them, measure and draw in them."""

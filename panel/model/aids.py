@@ -1,0 +1,162 @@
+"""Landmarks, drawn skylines and sky masks in the tables and files that Orient photos reads, by photograph.
+
+A folder holds `landmarks.geojson` (points with photo, x, y, elevation), `skylines.csv` (photo, column, row) and
+`sky_masks/` with one PNG per photograph. The strokes and the brush behind a mask are kept in `drawings.json`, so that
+they can be changed later.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+from qgis.core import QgsProviderRegistry
+
+from ...core.base.errors import UnreadableFeaturesError
+from ...core.base.messages import Message
+from ...core.base.pixel_features import photo_key
+from .solving import skyline_of, write_mask
+
+LANDMARKS, SKYLINES, MASKS, DRAWINGS = "landmarks.geojson", "skylines.csv", "sky_masks", "drawings.json"
+FOLDER_NAME = "photo_view"
+FOLDER_PROPERTY = "skyline_viewshed/aids_folder"
+
+
+def aids_folder(layer, project, path):
+    """Folder of a layer: the chosen one, else beside the layer's file, the project, or the photograph.
+
+    Parameters
+    ----------
+    layer : QgsVectorLayer
+    project : QgsProject
+    path : str or None
+        Of the photograph.
+    """
+    chosen = layer.customProperty(FOLDER_PROPERTY, "")
+    if chosen:
+        return Path(chosen)
+    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    homes = [str(Path(parts["path"]).parent) if parts.get("path") else "", project.homePath()]
+    homes.append(str(Path(path).parent) if path else "")
+    home = next((home for home in homes if home and Path(home).is_dir()), None)
+    return None if home is None else Path(home) / FOLDER_NAME
+
+
+def read_aids(folder, path):
+    """Read what is kept for a photograph: (landmarks, strokes, anew, brush), as in `Draft`.
+
+    Parameters
+    ----------
+    folder : Path or None
+    path : str or None
+        Of the photograph.
+
+    Raises
+    ------
+    UnreadableFeaturesError
+    """
+    if folder is None or not path:
+        return (), (), False, ()
+    from ...core.batch import LandmarkHint
+    from ...core.skyline.repair import BrushStroke
+
+    marks = tuple(
+        LandmarkHint(values["x"], values["y"], *place["coordinates"][:2], values.get("elevation"))
+        for values, place in ((feature["properties"], feature["geometry"]) for feature in _landmarks(folder))
+        if photo_key(values["photo"]) == photo_key(path)
+    )
+    drawn = _drawings(folder).get(photo_key(path), {})
+    strokes = tuple(tuple(map(tuple, stroke)) for stroke in drawn.get("strokes", []))
+    brush = tuple(BrushStroke(tuple(map(tuple, s["points"])), s["radius"]) for s in drawn.get("brush", []))
+    return marks, strokes, bool(drawn.get("anew", False)), brush
+
+
+def write_aids(folder, path, draft, evidence):
+    """Write what a draft holds besides the pose, in place of what was kept for the photograph.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if it is missing.
+    path : str
+        Of the photograph.
+    draft : Draft
+    evidence : SkylineEvidence or None
+
+    Raises
+    ------
+    OutputError, UnreadableFeaturesError
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    key = photo_key(path)
+    _write_landmarks(folder, key, draft)
+    line, rows = skyline_of(draft, evidence)
+    _write_skyline(folder, key, line)
+    mask = folder / MASKS / f"{Path(path).stem}.png"
+    if rows is not None:
+        mask.parent.mkdir(exist_ok=True)
+        write_mask(str(mask), rows, evidence)
+    elif mask.exists():
+        mask.unlink()
+    drawings = _drawings(folder)
+    drawings.pop(key, None)
+    if draft.strokes or draft.brush:
+        brush = [{"points": stroke.points, "radius": stroke.radius_px} for stroke in draft.brush]
+        drawings[key] = {"strokes": draft.strokes, "anew": draft.anew, "brush": brush}
+    _write_text(folder / DRAWINGS, json.dumps(drawings))
+
+
+def _landmarks(folder):
+    """Landmarks of all photographs as GeoJSON features; those without pixels or place are left out."""
+    found = []
+    for feature in _json(folder / LANDMARKS).get("features", []):
+        values, place = feature.get("properties") or {}, (feature.get("geometry") or {}).get("coordinates") or ()
+        if len(place) >= 2 and values.get("photo") and None not in (values.get("x"), values.get("y")):
+            found.append(feature)
+    return found
+
+
+def _write_landmarks(folder, key, draft):
+    features = [feature for feature in _landmarks(folder) if photo_key(feature["properties"]["photo"]) != key]
+    for mark in draft.landmarks:
+        values = {"photo": key, "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
+        place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]}
+        features.append({"type": "Feature", "properties": values, "geometry": place})
+    if features or (folder / LANDMARKS).exists():
+        _write_text(folder / LANDMARKS, json.dumps({"type": "FeatureCollection", "features": features}, indent=1))
+
+
+def _write_skyline(folder, key, line):
+    rows = []
+    if (folder / SKYLINES).exists():
+        with open(folder / SKYLINES, newline="", encoding="utf-8") as file:
+            rows = [row for row in list(csv.reader(file))[1:] if len(row) == 3 and photo_key(row[0]) != key]
+    rows += [[key, f"{x:.2f}", f"{y:.2f}"] for x, y in line or ()]
+    if rows or (folder / SKYLINES).exists():
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerows([["photo", "column", "row"], *rows])
+        _write_text(folder / SKYLINES, text.getvalue())
+
+
+def _drawings(folder):
+    return _json(folder / DRAWINGS)
+
+
+def _json(path):
+    """Content of a file, {} if there is none. A damaged one is a fault, so that nothing is written over it."""
+    if not path.exists():
+        return {}
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        raise UnreadableFeaturesError(path, Message("it is not JSON. Mend it, or delete it.")) from None
+    return content if isinstance(content, dict) else {}
+
+
+def _write_text(path, text):
+    from ...core.io.whole_file import staged
+
+    with staged(path) as stage:
+        (stage / path.name).write_text(text, encoding="utf-8")

@@ -1,0 +1,163 @@
+"""Map layers and summits as directions from the eye, as Map to pixels and Label peaks find them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from qgis.core import QgsProcessingContext, QgsProcessingException, QgsVectorLayer, QgsWkbTypes
+
+from ...algorithms.shared.image_features import ImageFeatures
+from ...algorithms.shared.map_places import to_dem_transform
+from ...algorithms.shared.summit_input import read_summits
+from ...algorithms.shared.views import OpenedPhoto
+from ...core.base.progress import SILENT
+from .ground import REACH_M, posed_photo, summits_of, view_of
+from .overlays import Trace
+
+MOST_FEATURES = 3_000
+"""A layer with more is left out: projecting it would take longer than a look at the picture."""
+
+STEP_PX = 3.0
+HEIGHT_NAMES = ("ele", "elevation", "height", "height_m")
+
+
+@dataclass(frozen=True)
+class _Source:
+    """A layer as the classes of the algorithms read it."""
+
+    layer: Any
+
+    def sourceCrs(self):
+        """CRS of the features."""
+        return self.layer.crs()
+
+    def getFeatures(self):
+        """Yield the features."""
+        return self.layer.getFeatures()
+
+    def fields(self):
+        """Fields of the features."""
+        return self.layer.fields()
+
+
+def _name_field(layer):
+    return next((field.name() for field in layer.fields() if field.name().lower() == "name"), "")
+
+
+def shown_layers(layers, photo_layer):
+    """Vector layers of a map that can be projected.
+
+    Parameters
+    ----------
+    layers : list of QgsMapLayer
+    photo_layer : QgsVectorLayer
+    """
+    return [
+        layer
+        for layer in layers
+        if isinstance(layer, QgsVectorLayer)
+        and layer.isValid()
+        and layer is not photo_layer
+        and layer.geometryType() != QgsWkbTypes.GeometryType.NullGeometry
+        and layer.crs().isValid()
+        and 0 < layer.featureCount() <= MOST_FEATURES
+        and not _is_derived(layer)
+    ]
+
+
+def _is_derived(layer):
+    """Whether a layer shows what photographs see, which would cover the picture with itself."""
+    return layer.fields().lookupField("photo") >= 0
+
+
+def read_layers(layers, ground, dem_crs, project):
+    """Read layers for `traces_of`; in the thread to which they belong.
+
+    Parameters
+    ----------
+    layers : list of QgsVectorLayer
+    ground : Ground
+    dem_crs : QgsCoordinateReferenceSystem
+    project : QgsProject
+    """
+    from ...core.mapping.sightline import SightOptions
+
+    context = QgsProcessingContext()
+    context.setProject(project)
+    found = []
+    for layer in layers:
+        try:
+            features = ImageFeatures(
+                ground.terrain, _Source(layer), dem_crs, context, _name_field(layer),
+                SightOptions(max_distance_m=REACH_M), 0.0, STEP_PX,
+            )  # fmt: skip
+        except QgsProcessingException:  # nothing of the layer lies where the DEM's CRS is valid
+            continue
+        found.append(features)
+    return found
+
+
+def traces_of(readings, item, ground, camera, pose):
+    """Traces and names of what `read_layers` read.
+
+    Parameters
+    ----------
+    readings : list of ImageFeatures
+    item : PhotoItem
+    ground : Ground
+    camera : Camera
+    pose : Pose
+
+    Returns
+    -------
+    traces : list of Trace
+    names : list of (text, azimuth, elevation angle)
+    """
+    view = view_of(ground, posed_photo(ground, camera, pose))
+    photo = OpenedPhoto(item.point.feature, item.name, item.path, view, ground.terrain, True, SILENT)
+    traces, names = [], []
+    for features in readings:
+        named, strokes = features.add(photo)
+        names += [(point.words, *map(float, view.ray_of(point.x_px, point.y_px))) for point in named]
+        traces += [Trace("map", *view.ray_of(stroke.x_px, stroke.y_px), stroke.visible) for stroke in strokes]
+    return traces, names
+
+
+def summit_layer(project, photo_layer):
+    """First point layer with names and heights, or None.
+
+    Parameters
+    ----------
+    project : QgsProject
+    photo_layer : QgsVectorLayer
+    """
+    for layer in shown_layers(project.mapLayers().values(), photo_layer):
+        names = {field.name().lower() for field in layer.fields()}
+        points = layer.geometryType() == QgsWkbTypes.GeometryType.PointGeometry
+        if points and "name" in names and names & set(HEIGHT_NAMES):
+            return layer
+    return None
+
+
+def read_summit_layer(layer, dem_crs, project):
+    """Read named summits; None if there is no layer, so that the DEM is searched.
+
+    Parameters
+    ----------
+    layer : QgsVectorLayer or None
+    dem_crs : QgsCoordinateReferenceSystem
+    project : QgsProject
+    """
+    if layer is None:
+        return None
+    context = QgsProcessingContext()
+    context.setProject(project)
+    height = next(f.name() for f in layer.fields() if f.name().lower() in HEIGHT_NAMES)
+    transform = to_dem_transform(layer.crs(), dem_crs, context)
+    return read_summits(_Source(layer), _name_field(layer), height, transform)
+
+
+def visible_summits(ground, camera, pose, given):
+    """Names and directions of the summits in view all around; see `ground.summits_of`."""
+    return summits_of(ground, posed_photo(ground, camera, pose), given)

@@ -1,0 +1,181 @@
+"""Answers of the matcher for a draft: from what a person set, drew and clicked. Runs in a lane."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ...core.base.angles import difference
+from ...core.base.messages import Message
+
+TOLERANCE_DEG = 4.0
+"""How far the matcher looks around the heading that a person set [degrees]."""
+
+ANCHOR_SHARE = 60.0
+"""The long side of the picture divided by this is how exactly a person places the horizon [pixels]."""
+
+FAR_DEG = 8.0
+"""An answer farther from the heading that a person set is not theirs [degrees]."""
+
+UNDECIDED = Message(
+    "The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the "
+    "skyline, or mask what hides it."
+)
+
+
+def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
+    """Fit a draft with the robust matcher, from where it is.
+
+    Parameters
+    ----------
+    item : PhotoItem
+    draft : Draft
+        Without a pose the whole circle is searched.
+    ground : Ground
+    dem : core.io.raster.Dem
+    evidence : SkylineEvidence or None
+        Extracted skyline, which strokes and brush change.
+    free : bool
+        The pose says only the heading (an alternative of the table); otherwise the drawn horizon is kept to.
+    progress : Progress or None
+
+    Returns
+    -------
+    draft : Draft
+    message : Message or str
+        For the person.
+    """
+    from ...core.batch import orient_request
+    from ...core.pipeline import HorizonCache, OrientOptions
+
+    with tempfile.TemporaryDirectory() as folder:
+        request = _request(item, draft, ground, evidence, free, folder)
+        options = (request, dem, OrientOptions(), HorizonCache(), *([progress] if progress is not None else []))
+        answer = orient_request(*options).orientation
+    best = answer.best
+    if best is None:
+        return draft, answer.message
+    if draft.pose is not None:
+        away = abs(difference(best.pose.heading_deg, draft.pose.heading_deg))
+        # The heading itself comes back where the skyline decides nothing.
+        if away < 1e-9 or away > FAR_DEG:
+            return draft, UNDECIDED
+    interval = (answer.heading_lo_deg, answer.heading_hi_deg)
+    found = draft.placed(best.pose, "snapped", best.camera, None if None in interval else interval)
+    return found, answer.message if draft.pose is None else ""
+
+
+def _request(item, draft, ground, evidence, free, folder):
+    from ...core.batch import LandmarkHint, PhotoRequest
+
+    eye, aids = ground.observer, {}
+    landmarks = list(draft.landmarks)
+    if draft.pose is not None:
+        aids = {"heading_deg": draft.pose.heading_deg, "heading_tolerance_deg": TOLERANCE_DEG}
+        if not free:
+            sigma = max(draft.camera.width_px, draft.camera.height_px) / ANCHOR_SHARE
+            landmarks += [LandmarkHint(*mark, sigma) for mark in anchors(draft, ground)]
+    line, rows = skyline_of(draft, evidence)
+    if line is not None:
+        aids["drawn_skyline"] = line
+    elif rows is not None:
+        aids["sky_mask_path"] = str(Path(folder) / "mask.png")
+        write_mask(aids["sky_mask_path"], rows, evidence)
+    lens = draft.camera.hfov_deg if draft.lens_changed or item.values["HFOV_FIELD"] is not None else None
+    if lens is None and not _has_lens(item.path):
+        lens = draft.camera.hfov_deg
+    return PhotoRequest(
+        item.path,
+        longitude_deg=eye.longitude_deg,
+        latitude_deg=eye.latitude_deg,
+        eye_elevation_m=eye.eye_elevation_m,
+        hfov_deg=lens,
+        landmarks=tuple(landmarks),
+        **aids,
+    )
+
+
+def _has_lens(path):
+    from ...core.io.photo import read_metadata
+
+    return read_metadata(path).focal_length_35mm is not None
+
+
+def anchors(draft, ground):
+    """Points of the drawn horizon as landmarks, so that the matcher starts from the whole pose."""
+    from ...core.mapping.adjust import horizon_marks
+
+    eye, horizon = ground.observer, ground.horizon
+    reach = 1.01 * float(np.nanmax(horizon.distance_m))
+    frame = ground.terrain.frame(eye.longitude_deg, eye.latitude_deg, reach)
+    return horizon_marks(ground.terrain, horizon, frame, draft.camera, draft.pose)
+
+
+def skyline_of(draft, evidence):
+    """What a person made of the skyline: (line of vertices, None), (None, rows of the evidence), or (None, None).
+
+    Parameters
+    ----------
+    draft : Draft
+    evidence : SkylineEvidence or None
+    """
+    from ...core.skyline.repair import edited_rows, joined
+
+    if draft.strokes and (draft.anew or evidence is None):
+        return joined(draft.strokes), None
+    if evidence is not None and (draft.strokes or draft.brush):
+        return None, edited_rows(evidence, draft.strokes, draft.brush)
+    return None, None
+
+
+def write_mask(path, rows, evidence):
+    """Write a sky mask as PNG, whole or not at all; raises `OutputError`."""
+    from qgis.PyQt.QtGui import QImage
+
+    from ...core.io.whole_file import staged
+    from ...core.skyline.repair import sky_mask
+
+    mask = sky_mask(rows, evidence.probability.shape[0])
+    height, width = mask.shape
+    image = QImage(mask.tobytes(), width, height, width, QImage.Format.Format_Grayscale8)
+    with staged(path) as folder:
+        if not image.save(str(folder / Path(path).name), "PNG"):
+            raise OSError(path)
+
+
+def extracted(picture):
+    """Skyline evidence of a picture; raises `PhotoError`."""
+    from ...core.skyline.evidence import SkylineOptions, skyline_evidence
+
+    metadata = picture.metadata
+    return skyline_evidence(picture.preview, SkylineOptions(), metadata.width_px, metadata.height_px)
+
+
+def levelled_draft(draft, ground, evidence):
+    """Put the horizon of a draft onto the extracted skyline by the pitch alone, if both are known."""
+    from ...core.mapping.adjust import levelled
+
+    if draft.pose is None or evidence is None:
+        return draft
+    return replace(draft, pose=levelled(draft.camera, draft.pose, ground.horizon, evidence.best))
+
+
+def placed_by_landmarks(draft, ground):
+    """Fit a draft to its landmarks; raises `PhotoError` if one has no elevation."""
+    from ...core.base.camera import FOCAL_SIGMA, Pose
+    from ...core.mapping.adjust import fitted_to_landmarks
+    from .ground import direction_of
+
+    marks = [
+        (mark.x_px, mark.y_px, *direction_of(ground, mark.longitude_deg, mark.latitude_deg, mark.elevation_m))
+        for mark in draft.landmarks
+    ]
+    sigma = FOCAL_SIGMA if draft.lens_known else 0.5
+    camera, pose = fitted_to_landmarks(draft.camera, draft.pose or Pose(0.0), marks, sigma)
+    found = draft.placed(pose, "landmarks", camera)
+    # With one landmark the lens only follows its prior, and stays as unknown as it was.
+    return replace(found, lens_known=draft.lens_known or len(marks) > 1, lens_changed=found.lens_changed or (
+        len(marks) > 1 and not draft.lens_known))  # fmt: skip

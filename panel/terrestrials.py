@@ -1,0 +1,69 @@
+"""Looks for map layers and summits in the background, when their overlays are switched on."""
+
+from __future__ import annotations
+
+from .model import map_layers
+from .model.overlays import MAP, SUMMITS, Terrestrial
+
+
+class Terrestrials:
+    """What the terrain around the present eye holds beside its horizon.
+
+    Parameters
+    ----------
+    view : PhotoView
+    """
+
+    def __init__(self, view):
+        self.view, self.found = view, Terrestrial()
+        self._asked = set()
+
+    def forget(self):
+        """Another eye or elevation model follows."""
+        self.found, self._asked = Terrestrial(), set()
+        for kind in (MAP, SUMMITS):
+            self.view.session.terrain_lane.cancel(kind)
+
+    def look(self):
+        """Look for what is switched on and not yet known."""
+        session, dock = self.view.session, self.view.dock
+        if session.posed is None:
+            return
+        for kind, ask in ((MAP, self._ask_map), (SUMMITS, self._ask_summits)):
+            if kind in dock.shown and kind not in self._asked:
+                self._asked.add(kind)
+                ask(session, session.ground, session.draft)
+
+    def look_again(self):
+        """Project the map layers anew: another part of them may have come into the frame."""
+        if MAP in self._asked:
+            self._asked.discard(MAP)
+            self.look()
+
+    def _crs(self):
+        return self.view.session.dem.source.crs
+
+    def _ask_map(self, session, ground, draft):
+        layers = map_layers.shown_layers(self.view.iface.mapCanvas().layers(), session.photos.layer)
+        readings = map_layers.read_layers(layers, ground, self._crs(), self.view.project)
+        item = session.item
+        session.terrain_lane.submit(
+            MAP, lambda job: map_layers.traces_of(readings, item, ground, draft.camera, draft.pose), self._take_map,
+            session.told.emit, urgency=2,
+        )  # fmt: skip
+
+    def _take_map(self, traces_and_names):
+        self.found.traces, self.found.names = traces_and_names
+        self.view.draw()
+
+    def _ask_summits(self, session, ground, draft):
+        layer = map_layers.summit_layer(self.view.project, session.photos.layer)
+        given = map_layers.read_summit_layer(layer, self._crs(), self.view.project)
+        session.terrain_lane.submit(
+            SUMMITS, lambda job: map_layers.visible_summits(ground, draft.camera, draft.pose, given),
+            self._take_summits, session.told.emit, urgency=2,
+        )  # fmt: skip
+
+    def _take_summits(self, summits):
+        self.found.summits = summits
+        self.view.draw()

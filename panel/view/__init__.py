@@ -1,0 +1,1 @@
+"""The widgets of the Photo view; no geometry of the terrain."""

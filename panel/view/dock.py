@@ -1,0 +1,198 @@
+"""The dock: layers above, tools, the picture, what is under the mouse, and the strip of thumbnails."""
+
+from __future__ import annotations
+
+from qgis.core import QgsMapLayerProxyModel, QgsSettings
+from qgis.gui import QgsDockWidget, QgsMapLayerComboBox
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QActionGroup,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QProgressBar,
+    QToolBar,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...algorithms.shared.i18n import tr
+from ..model.overlays import KINDS, SHOWN_AT_FIRST
+from .actions import Keys, key_text, make_action, overlay_texts, specs, verdict_specs
+from .canvas import PictureCanvas
+from .strip import Strip
+
+SHOWN_SETTING = "skyline_viewshed/photo_view/shown"
+ICON_PX = 18
+
+
+class PhotoViewDock(QgsDockWidget):
+    """All widgets of the panel; the controller gives them life.
+
+    Parameters
+    ----------
+    pictures : PictureStore
+    parent : QWidget or None
+    """
+
+    closed_by_user = pyqtSignal()
+    shown_changed = pyqtSignal()
+
+    def __init__(self, pictures, parent=None):
+        super().__init__(tr("Photo view"), parent)
+        self.setObjectName("SkylineViewshedPhotoView")
+        self.actions, self.verdicts, self.switches = {}, {}, {}
+        self.keys = Keys(self)
+        self.canvas = PictureCanvas()
+        self.strip = Strip(pictures)
+        self.layer_box = self._layer_box(QgsMapLayerProxyModel.Filter.PointLayer, tr("Layer of oriented photo points."))
+        self.dem_box = self._layer_box(QgsMapLayerProxyModel.Filter.RasterLayer, tr("Elevation model (DEM)"))
+        self.place_label, self.photo_label, self.told_label = QLabel(), QLabel(), QLabel()
+        for label in (self.place_label, self.photo_label, self.told_label):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._lay_out()
+        for watched in (self.canvas, self.strip):
+            watched.installEventFilter(self.keys)
+
+    def _layer_box(self, kinds, tip):
+        box = QgsMapLayerComboBox()
+        box.setFilters(kinds)
+        box.setAllowEmptyLayer(True)
+        box.setToolTip(tip)
+        box.setAccessibleName(tip)
+        box.setMinimumContentsLength(12)
+        return box
+
+    def _lay_out(self):
+        form = QFormLayout()
+        form.addRow(tr("Photos"), self.layer_box)
+        form.addRow(tr("Elevation model"), self.dem_box)
+        self.review_bar = self._review_bar()
+        whole = QVBoxLayout()
+        whole.setContentsMargins(4, 4, 4, 4)
+        whole.setSpacing(3)
+        whole.addLayout(form)
+        for bar in self._toolbars():
+            whole.addWidget(bar)
+        whole.addWidget(self.photo_label)
+        whole.addWidget(self.canvas, 1)
+        whole.addWidget(self.place_label)
+        whole.addWidget(self.told_label)
+        whole.addWidget(self.review_bar)
+        whole.addWidget(self.strip)
+        inside = QWidget()
+        inside.setLayout(whole)
+        self.setWidget(inside)
+
+    def _toolbars(self):
+        """Two rows: going, tools and drawing; then what acts on the photograph."""
+        first, second = QToolBar(), QToolBar()
+        self.tools = QActionGroup(self)
+        bar = first
+        for spec in specs():
+            if spec.name == "face":
+                bar = second
+            elif spec.breaks:
+                bar.addSeparator()
+            action = make_action(spec, self)
+            if spec.tool:
+                self.tools.addAction(action)
+            if spec.key:
+                self.keys.bind(spec.key, action)
+            self.actions[spec.name] = action
+            bar.addAction(action)
+        self.actions["look"].setChecked(True)
+        self.actions["review"].setCheckable(True)
+        second.addWidget(self._overlay_button())
+        second.addWidget(self._more_button())
+        for row in (first, second):
+            row.setIconSize(QSize(ICON_PX, ICON_PX))
+        return first, second
+
+    def _overlay_button(self):
+        shown = QgsSettings().value(SHOWN_SETTING, ",".join(SHOWN_AT_FIRST)).split(",")
+        menu = QMenu(self)
+        texts = overlay_texts()
+        for number, kind in enumerate(KINDS):
+            switch = QAction(texts[kind], self)
+            switch.setCheckable(True)
+            switch.setChecked(kind in shown)
+            switch.toggled.connect(self._remember_shown)
+            key = (Qt.Key.Key_F1 + number, False, True)
+            self.keys.bind(key, switch)
+            switch.setToolTip(f"{texts[kind]} ({tr('Shift')}+F{number + 1})")
+            self.switches[kind] = switch
+            menu.addAction(switch)
+        menu.setToolTipsVisible(True)
+        return self._button(tr("Show"), tr("Choose what is drawn over the picture."), menu)
+
+    def _more_button(self):
+        menu = QMenu(self)
+        for name, text in (
+            ("remove_landmarks", tr("Remove the landmarks")),
+            ("forget_drawing", tr("Remove what was drawn and masked")),
+            ("folder", tr("Folder of landmarks, skylines and masks ...")),
+            ("fit", tr("Show the whole picture")),
+        ):
+            self.actions[name] = QAction(text, self)
+            menu.addAction(self.actions[name])
+        return self._button(tr("More"), tr("Further commands for this photograph."), menu)
+
+    def _button(self, text, tip, menu):
+        button = QToolButton()
+        button.setText(text)
+        button.setToolTip(tip)
+        button.setMenu(menu)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        return button
+
+    def _review_bar(self):
+        bar, row = QWidget(), QHBoxLayout()
+        row.setContentsMargins(0, 0, 0, 0)
+        for spec in verdict_specs():
+            action = make_action(spec, self)
+            action.setText(f"{spec.text} ({key_text(spec.key)})")
+            action.setEnabled(False)
+            self.keys.bind(spec.key, action)
+            self.verdicts[spec.name] = action
+            button = QToolButton()
+            button.setDefaultAction(action)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            row.addWidget(button)
+        self.progress = QProgressBar()
+        self.progress.setFormat("%v / %m")
+        self.progress.setAccessibleName(tr("Reviewed photographs"))
+        row.addWidget(self.progress, 1)
+        bar.setLayout(row)
+        bar.hide()
+        return bar
+
+    def _remember_shown(self, checked):
+        QgsSettings().setValue(SHOWN_SETTING, ",".join(sorted(self.shown)))
+        self.shown_changed.emit()
+
+    @property
+    def shown(self):
+        """Kinds of overlays that are switched on."""
+        return {kind for kind, switch in self.switches.items() if switch.isChecked()}
+
+    def say(self, text):
+        """Show a sentence below the picture."""
+        self.told_label.setText(text)
+
+    def show_review(self, on, done=0, count=0):
+        """Show or hide the review's buttons and progress."""
+        self.review_bar.setVisible(on)
+        for action in self.verdicts.values():
+            action.setEnabled(on)
+        self.progress.setMaximum(max(count, 1))
+        self.progress.setValue(done)
+
+    def closeEvent(self, event):
+        """Tell that the panel was closed."""
+        self.closed_by_user.emit()
+        super().closeEvent(event)

@@ -1,0 +1,62 @@
+"""The panel with real widgets, offscreen, on simulated photographs of known pose."""
+
+from __future__ import annotations
+
+import gc
+from types import SimpleNamespace
+
+import pytest
+from panel_hand import Hand, write_photos
+from qgis.core import QgsProject, QgsRasterLayer, QgsRectangle, QgsSettings, QgsVectorLayer
+from qgis.PyQt.QtTest import QTest
+
+
+@pytest.fixture
+def photos(scene, tmp_path):
+    """The layer's file, in a folder of its own, where landmarks and masks go too."""
+    path = tmp_path / "photos.gpkg"
+    write_photos(path, scene)
+    return path
+
+
+@pytest.fixture
+def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
+    """Make a project with layers and open the panel on it."""
+    from skyline_viewshed.panel.controller import PhotoView
+
+    QgsSettings().remove("skyline_viewshed")
+    made = []
+
+    def make(path, dem=True):
+        project = QgsProject.instance()
+        layer = QgsVectorLayer(str(path), "photos", "ogr")
+        assert layer.isValid()
+        layers = [layer]
+        if dem:
+            layers.append(QgsRasterLayer(str(scene.dem), "dem"))
+        project.addMapLayers(layers)
+        project.setCrs(layers[-1].crs())
+        canvas = qgis_iface.mapCanvas()
+        canvas.setDestinationCrs(layers[-1].crs())
+        canvas.setExtent(QgsRectangle(layers[-1].extent()))
+        view = PhotoView(qgis_iface)
+        view.dock.resize(900, 900)
+        view.open()
+        view.dock.show()
+        made.append(view)
+        hand = Hand(view)
+        hand.settle()
+        return SimpleNamespace(view=view, hand=hand, layer=layer, project=project, session=view.session)
+
+    yield make
+    for view in made:
+        view.remove()
+    QTest.qWait(20)
+    qgis_new_project.clear()
+    gc.collect()
+
+
+@pytest.fixture
+def panel(make_view, photos):
+    """The panel, open on the scene's photographs."""
+    return make_view(photos)
