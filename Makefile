@@ -48,7 +48,7 @@ test-core: setup ## Run the tests that need no QGIS
 
 .PHONY: test-qgis
 test-qgis: setup ## Run the tests of the QGIS side
-	@$(PYTHON) -m pytest tests/algorithms $(PYTEST_ARGS)
+	@$(PYTHON) -m pytest tests/algorithms tests/panel $(PYTEST_ARGS)
 
 .PHONY: test-bare
 test-bare: setup ## Run the QGIS tests with OpenCV, pillow-heif and exifread blocked
@@ -63,7 +63,7 @@ fuzz: setup ## Fuzz what reads users' files: [SECONDS=600] [TARGET=metadata|pixe
 lint: setup ## Check style, types, Qt6 readiness and the house rules
 	@$(PYTHON) -m ruff check . && $(PYTHON) -m ruff format --check .
 	@# QGS201 and QGS202 guess by a method's name whether it returns a success flag, and guess wrong on every addParameter.
-	@$(PYTHON) -m flake8 --select QGS --extend-ignore QGS201,QGS202 plugin.py processing_provider algorithms
+	@$(PYTHON) -m flake8 --select QGS --extend-ignore QGS201,QGS202 plugin.py processing_provider algorithms panel
 	@$(PYTHON) tools/check_types.py
 	@$(PYTHON) -m pytest -q tests/test_architecture.py tests/test_house_numbers.py tests/test_qt6.py
 

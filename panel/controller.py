@@ -32,7 +32,7 @@ class PhotoView:
     iface : QgisInterface
     """
 
-    def __init__(self, iface):
+    def __init__(self, iface):  # noqa: QGS105 (the plugin passes it on)
         self.iface, self.project = iface, QgsProject.instance()
         self.session = Session()
         self.correction = Correction(self.session)
@@ -89,9 +89,9 @@ class PhotoView:
         """Start with the active layer and the first raster of heights, if they fit."""
         active = self.iface.activeLayer()
         layers = [active, *self.project.mapLayers().values()]
-        points = next((layer for layer in layers if _is_photo_layer(layer)), None)
+        points = next((layer for layer in layers if photo_layer.is_photo_layer(layer)), None)
         self.dock.layer_box.setLayer(points)
-        dem = next((layer for layer in self.project.mapLayers().values() if _may_be_dem(layer)), None)
+        dem = next((layer for layer in self.project.mapLayers().values() if photo_layer.may_be_dem(layer)), None)
         self.dock.dem_box.setLayer(dem)
         self.set_dem(dem)
         self.set_layer(points)
@@ -295,15 +295,3 @@ class PhotoView:
         self.marks.remove()
         self.iface.removeDockWidget(self.dock)
         self.dock.deleteLater()
-
-
-def _is_photo_layer(layer):
-    from qgis.core import QgsVectorLayer
-
-    return isinstance(layer, QgsVectorLayer) and photo_layer.layer_fault(layer) is None
-
-
-def _may_be_dem(layer):
-    from qgis.core import QgsRasterLayer
-
-    return isinstance(layer, QgsRasterLayer) and layer_fault(layer) is None and layer.bandCount() == 1

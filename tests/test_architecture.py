@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CORE = sorted(path.relative_to(ROOT) for path in (ROOT / "core").rglob("*.py"))
 SHELL = [
     path.relative_to(ROOT)
-    for pattern in ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py")
+    for pattern in ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py", "panel/**/*.py")
     for path in sorted(ROOT.glob(pattern))
 ]
 ROOF = ("cli", "api", "batch", "pipeline")

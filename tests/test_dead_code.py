@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SHIPPED = [
     path
-    for pattern in ("*.py", "core/**/*.py", "algorithms/**/*.py", "processing_provider/*.py")
+    for pattern in ("*.py", "core/**/*.py", "algorithms/**/*.py", "processing_provider/*.py", "panel/**/*.py")
     for path in sorted(ROOT.glob(pattern))
 ]
 CALLED_BY_QGIS = {"classFactory"}

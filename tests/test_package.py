@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 SHIPPED = {
     *("__init__.py", "plugin.py", "metadata.txt", "requirements.txt", "LICENSE", "README.md", "CHANGELOG.md"),
-    *("algorithms", "core", "i18n", "icons", "models", "processing_provider", "styles"),
+    *("algorithms", "core", "i18n", "icons", "models", "panel", "processing_provider", "styles"),
 }
 """What lies directly in the plugin's folder; all else in the repository is for those who develop it."""
 

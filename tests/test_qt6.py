@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-FOLDERS = ("algorithms", "processing_provider", "tools", "tests")
+FOLDERS = ("algorithms", "panel", "processing_provider", "tools", "tests")
 SOURCES = [ROOT / "plugin.py", *(path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py")))]
 SOURCES = [path for path in SOURCES if "qgis" in path.read_text(encoding="utf-8") and path.name != Path(__file__).name]
 MOVED = {"exec_", "toTime_t", "setMargin", "MidButton", "Unicode", "pyqtConfigure"}

@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CATALOGUES = ROOT / "i18n"
 LANGUAGES = ("de", "es", "fr")
 CONTEXT = "SkylineViewshed"
-SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py")
+SHELL = ("plugin.py", "processing_provider/*.py", "algorithms/**/*.py", "panel/**/*.py")
 SOURCES = (*SHELL, "core/**/*.py")
 MARKERS = ("tr", "mark", "say", "Message")
 

@@ -56,7 +56,19 @@ def aimed(camera, pose, direction_deg, pixel_px):
 
 
 def dragged(camera, pose, from_px, to_px):
-    """Move what is seen at one pixel to another, by heading and pitch; see `aimed`."""
+    """Move what is seen at one pixel to another, by heading and pitch.
+
+    Parameters
+    ----------
+    camera : Camera
+    pose : Pose
+    from_px, to_px : (float, float)
+        x and y in the full upright picture [pixels].
+
+    Returns
+    -------
+    Pose
+    """
     direction = unproject(camera, pose, *from_px)
     return aimed(camera, pose, (float(direction[0]), float(direction[1])), to_px)
 
@@ -231,5 +243,13 @@ def hand_sigma_deg(camera):
 
 
 def assumed_camera(width_px, height_px, hfov_deg=60.0):
-    """Camera of a picture of unknown field of view, for a person to change."""
+    """Make the camera of a picture of unknown field of view, for a person to change.
+
+    Parameters
+    ----------
+    width_px, height_px : int
+        Size of the full upright picture [pixels].
+    hfov_deg : float
+        Horizontal field of view [degrees].
+    """
     return Camera(width_px, height_px, focal_of_fov_px(width_px, hfov_deg))

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from ...core.base.angles import difference
-from ...core.base.errors import PhotoError
 from ...core.base.posed import PosedPhoto
 from ...core.base.terrain import Observer
 from ...core.base.uncertainty import PoseUncertainty
@@ -266,20 +265,6 @@ def summits_of(ground, posed, given):
 
     shown = Summitry(ground.terrain, given).shown(view_of(ground, posed), _options(), all_round=True)
     return [(summit.mark.words, summit.azimuth_deg, summit.elevation_deg) for summit in shown if summit.visible]
-
-
-def observer_of(point):
-    """Eye of a photo point.
-
-    Raises
-    ------
-    PhotoError
-    """
-    from ...core.base.messages import Message
-
-    if point.observer is None:
-        raise PhotoError(Message("The point has no usable position."))
-    return point.observer
 
 
 def places_of(ground, posed, points):

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.base.camera import project
+from ...core.base.camera import in_frame, project
 from ...core.base.overlay_lines import horizon_line, skyline_line
 
 HORIZON, CRESTS, SKYLINE, OTHERS = "horizon", "crests", "skyline", "alternatives"
@@ -102,7 +102,7 @@ def drawn(session, shown, terrestrial):
         if OTHERS in shown:
             for number, other in session.alternatives:
                 lines.append(_horizon(OTHERS, ground, camera, other))
-                labels += _at_top(OTHERS, str(number), lines[-1])
+                labels += _at_top(OTHERS, str(number), lines[-1], camera)
         if ground is not None:
             _add_terrain(lines, labels, session, shown, terrestrial)
     for mark in draft.landmarks:
@@ -160,9 +160,9 @@ def _add_graticule(lines, labels, camera, pose):
             labels.append(Label(GRATICULE, f"{line.value_deg:+g}°", 0.0, float(line.y_px[at])))
 
 
-def _at_top(kind, text, line):
+def _at_top(kind, text, line, camera):
     """Label at the highest point of a line in the picture, if it has one."""
-    known = np.flatnonzero(np.isfinite(line.y_px))
+    known = np.flatnonzero(in_frame(camera, line.x_px, line.y_px))
     if not known.size:
         return []
     top = known[np.argmin(line.y_px[known])]

@@ -6,8 +6,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsFeatureRequest, QgsWkbTypes
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsFeatureRequest,
+    QgsRasterLayer,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
 
+from ...algorithms.shared.elevation import layer_fault as raster_fault
 from ...algorithms.shared.fields import is_null, number_or_none
 from ...algorithms.shared.i18n import tr
 from ...algorithms.shared.layers import PATH_FIELDS, absolute_path, folders_of, label_of, position_of
@@ -74,6 +82,16 @@ def layer_fault(layer):
     if not layer.crs().isValid():
         return tr("The point layer has no coordinate reference system. Assign the right one in the layer's properties.")
     return None
+
+
+def is_photo_layer(layer):
+    """Return whether a map layer holds photo points."""
+    return isinstance(layer, QgsVectorLayer) and layer_fault(layer) is None
+
+
+def may_be_dem(layer):
+    """Return whether a map layer is a raster file with a single band, as elevation models are."""
+    return isinstance(layer, QgsRasterLayer) and raster_fault(layer) is None and layer.bandCount() == 1
 
 
 def path_field(layer):

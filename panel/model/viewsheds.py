@@ -42,7 +42,7 @@ class ViewshedRun:
         self.parameters = {
             "INPUT": self.points,
             "DEM": dem_layer,
-            "VIEWSHED": "TEMPORARY_OUTPUT",
+            "OUTPUT": "TEMPORARY_OUTPUT",
         }
 
     def _correct(self, values):
@@ -75,7 +75,7 @@ class ViewshedRun:
             self.told = lambda sentence: None
 
     def _finish(self, successful, results):
-        path = results.get("VIEWSHED") if successful else None
+        path = results.get("OUTPUT") if successful else None
         if not path:
             self.told(tr("The viewshed could not be computed. The log of Processing says why."))
             return

@@ -11,6 +11,17 @@ from qgis.core import QgsProject, QgsRasterLayer, QgsRectangle, QgsSettings, Qgs
 from qgis.PyQt.QtTest import QTest
 
 
+@pytest.fixture(scope="session")
+def provider(qgis_app, qgis_processing):
+    """Our provider, registered as the plugin does it."""
+    from skyline_viewshed import classFactory
+
+    plugin = classFactory(None)
+    plugin.initProcessing()
+    yield plugin.provider
+    plugin.unload()
+
+
 @pytest.fixture
 def photos(scene, tmp_path):
     """The layer's file, in a folder of its own, where landmarks and masks go too."""
@@ -40,6 +51,7 @@ def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
         canvas.setDestinationCrs(layers[-1].crs())
         canvas.setExtent(QgsRectangle(layers[-1].extent()))
         view = PhotoView(qgis_iface)
+        qgis_iface.mainWindow().show()
         view.dock.resize(900, 900)
         view.open()
         view.dock.show()
