@@ -106,6 +106,10 @@ bench-regions: setup ## Headings region by region, with nothing fitted on them: 
 bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
 	@$(PYTHON) benchmarks/bench_monoplot.py --scenes $(or $(SCENES),60)
 
+.PHONY: bench-panel
+bench-panel: setup ## Speed and memory of the Photo view: [COUNT=300]
+	@$(PYTHON) benchmarks/bench_panel.py --photos $(or $(COUNT),300)
+
 .PHONY: bench-speed
 bench-speed: setup ## Horizon and viewshed against their peers
 	@$(PYTHON) benchmarks/bench_speed.py

@@ -7,7 +7,7 @@ from qgis.PyQt.QtCore import QTimer
 
 from .model import ground as grounds
 from .model.viewsheds import ground_in_view
-from .view.spots import SpotMark
+from .view.spots import SpotMark, spot_words
 from .words import place_words
 
 PAUSE_MS = 40
@@ -48,13 +48,15 @@ class Cursors:
         if self._pixel is not None:
             self._pixel = None
             self.view.session.terrain_lane.cancel("hover")
+            self.view.dock.place_label.setText("")
         self.view.marks.hide_place()
-        self.view.dock.place_label.setText("")
 
     def hover_map(self, point):
         """The mouse is at a point of the map."""
         if self.view.session.posed is None or not self.view.dock.isVisible():
             return
+        if self._pixel is not None or self._point is None:
+            self.leave()
         self._pixel, self._point = None, point
         if not self._timer.isActive():
             self._timer.start()
@@ -89,6 +91,7 @@ class Cursors:
         draft = self.view.session.draft
         if self._point is not None and draft is not None:
             self._set_spot(SpotMark(spot, draft.camera))
+            self.view.dock.place_label.setText(spot_words(spot))
 
     def _set_spot(self, mark):
         if self.view.dock.canvas.spot is not mark:

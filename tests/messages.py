@@ -11,13 +11,14 @@ import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+ROOMS = ("core", "algorithms", "panel")
 WARNING = {"warn", "pushWarning", "reportError"}
 
 
 def sentences():
     """(where, sentence) of every sentence, including reasons inside others; names and the like are left out."""
     found = messages()
-    for where, tree in _trees("algorithms"):
+    for where, tree in (*_trees("algorithms"), *_trees("panel")):
         for node in ast.walk(tree):
             refusal = isinstance(node, ast.FunctionDef) and node.name.endswith("_fault")
             if refusal or isinstance(node, ast.Raise) or (isinstance(node, ast.Call) and _name(node) in WARNING):
@@ -28,7 +29,7 @@ def sentences():
 
 def messages():
     """(where, call) of every `Message(...)` in the source, as syntax trees."""
-    pairs = [(where, tree) for room in ("core", "algorithms") for where, tree in _trees(room)]
+    pairs = [(where, tree) for room in ROOMS for where, tree in _trees(room)]
     return [(where, node) for where, tree in pairs for node in ast.walk(tree) if _name(node) == "Message"]
 
 
@@ -36,7 +37,7 @@ def all_texts():
     """Every literal of the program, variable parts as an ellipsis, in one string with single spaces."""
     texts = [
         elided(node.value)
-        for room in ("core", "algorithms")
+        for room in ROOMS
         for _, tree in _trees(room)
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant) and isinstance(node.value, str)

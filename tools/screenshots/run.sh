@@ -34,6 +34,11 @@ program=$(command -v qgis.bin || command -v qgis)
 timeout 400 "$program" --nologo --noversioncheck --profiles-path "$work" --profile default \
   --code "$root/tools/screenshots/desktop.py" < /dev/null > "$work/qgis.log" 2>&1 || true
 cat "$work/desktop.log"
+PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/panel_points.py "$SAMPLE" "$work/points.gpkg"
+SHOTS=$work PANEL_POINTS=$work/points.gpkg PANEL_DEM=$SAMPLE/dem/mountains.tif PANEL_ROOT=$root timeout 400 "$program" \
+  --nologo --noversioncheck --profiles-path "$work" --profile default --code "$root/tools/screenshots/panel.py" \
+  < /dev/null > "$work/qgis_panel.log" 2>&1 || true
+cat "$work/panel.log"
 .venv/bin/python tools/screenshots/publish.py "$work" docs/images
 PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/failures.py "$SAMPLE" docs/images/failures.png
 PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/ground.py "$SAMPLE" docs/images/ground.png
