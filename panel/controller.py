@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt, QTimer
-from qgis.PyQt.QtWidgets import QFileDialog
 
 from ..algorithms.shared.elevation import DemSource, assigned_crs, layer_fault
 from ..algorithms.shared.i18n import tr
 from .cursors import Cursors
 from .figures import Figures
 from .model import photo_layer
-from .model.aids import FOLDER_PROPERTY, aids_folder
 from .model.correcting import Correction
 from .model.overlays import drawn
 from .model.session import DemHolder, Session
@@ -61,6 +59,7 @@ class PhotoView:
         dock.strip.chosen.connect(self.select)
         dock.shown_changed.connect(self._show_known)
         dock.visibilityChanged.connect(self._show_marks)
+        dock.visibilityChanged.connect(self._follow_selection)
         steps = {
             "previous": lambda: self.go(-1),
             "next": lambda: self.go(1),
@@ -74,7 +73,7 @@ class PhotoView:
             "viewshed": self.viewshed,
             "remove_landmarks": self.correction.remove_landmarks,
             "forget_drawing": self.correction.forget_drawing,
-            "folder": self.choose_folder,
+            "folder": self.figures.choose_folder,
             "fit": dock.canvas.fit,
             "face": self.figures.ask_for_face,
         }
@@ -110,6 +109,7 @@ class PhotoView:
         self._layer = layer
         layer.selectionChanged.connect(self._follow_selection)
         layer.willBeDeleted.connect(self._layer_goes)
+        layer.afterRollBack.connect(self._start_over)
         self.session.set_layer(photo_layer.PhotoLayer(layer, self.project))
         self.dock.strip.show_photos(self.session.photos.paths(), self.session.photos.column("status"))
         self._mark_all()
@@ -123,6 +123,7 @@ class PhotoView:
         if self._layer is not None:
             self._layer.selectionChanged.disconnect(self._follow_selection)
             self._layer.willBeDeleted.disconnect(self._layer_goes)
+            self._layer.afterRollBack.disconnect(self._start_over)
         self._layer = None
 
     def _layer_goes(self):
@@ -152,7 +153,14 @@ class PhotoView:
             if self.session.item is None or self.session.item.fid != fid:
                 self.session.show(fid)
 
+    def _start_over(self):
+        """Show what the layer has after its edits were thrown away."""
+        self.session.start_over()
+        self._mark_all()
+
     def _follow_selection(self, *_):
+        if self._layer is None or not self.dock.isVisible():
+            return
         chosen = self._layer.selectedFeatureIds()
         if len(chosen) == 1 and (self.session.item is None or self.session.item.fid != chosen[0]):
             self.session.show(chosen[0])
@@ -216,17 +224,6 @@ class PhotoView:
         self.dock.say(tr("Computing the viewshed ..."))
         self._run.start(self.dock.say)
 
-    def choose_folder(self):
-        """Let the person choose where landmarks, skylines and masks are kept."""
-        if self._layer is None:
-            return
-        path = self.session.item.path if self.session.item else None
-        folder = aids_folder(self._layer, self.project, path)
-        text = tr("Folder of landmarks, skylines and masks")
-        chosen = QFileDialog.getExistingDirectory(self.dock, text, str(folder or ""))
-        if chosen:
-            self._layer.setCustomProperty(FOLDER_PROPERTY, chosen)
-
     def _show_photo(self):
         item = self.session.item
         self.terrestrials.forget()
@@ -271,7 +268,10 @@ class PhotoView:
         self.dock.canvas.show_overlays(*drawn(self.session, self.dock.shown, self.terrestrials.found), brush)
 
     def _show_marks(self, *_):
-        self.marks.clear() if not self.dock.isVisible() else self.cursors.show_camera()
+        if self.dock.isVisible():
+            self.cursors.show_camera()
+        else:
+            self.marks.clear()
 
     def _mark_all(self):
         for fid, status in self.session.photos.column("status").items():

@@ -65,17 +65,17 @@ class Cursors:
         session, posed = self.view.session, self.view.session.posed
         if posed is None:
             return
-        ground = session.ground
+        ground, dem = session.ground, session.dem
         if self._pixel is not None:
             pixel = self._pixel
             session.terrain_lane.submit(
-                "hover", lambda job: grounds.place_of(ground, posed, *pixel), self._show_place, urgency=0
+                "hover", lambda job: grounds.place_of(dem.here(ground), posed, *pixel), self._show_place, urgency=0
             )
         elif self._point is not None:
             position = self.view.marks.position_of(self._point)
             if position is not None:
                 session.terrain_lane.submit(
-                    "hover", lambda job: grounds.spot_of(ground, posed, *position), self._show_spot, urgency=0
+                    "hover", lambda job: grounds.spot_of(dem.here(ground), posed, *position), self._show_spot, urgency=0
                 )
 
     def _show_place(self, place):

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from functools import partial
 
+from qgis.PyQt.QtWidgets import QFileDialog
+
 from ..algorithms.shared.i18n import tr
 from ..core.batch import LandmarkHint
 from .model import drawing
 from .model import ground as grounds
+from .model.aids import FOLDER_PROPERTY, aids_folder
 from .model.edits import NotEditableError
 from .model.overlays import Line
 from .view.map_marks import PlaceTool
@@ -121,9 +124,9 @@ class Figures:
         if not self._ready():
             return
         session = self.view.session
-        ground, posed = session.ground, session.posed
+        dem, ground, posed = session.dem, session.ground, session.posed
         session.terrain_lane.submit(
-            "measure", lambda job: grounds.places_of(ground, posed, points), partial(self._show_measured, kind),
+            "measure", lambda job: grounds.places_of(dem.here(ground), posed, points), partial(self._show_measured, kind),
             session.told.emit, urgency=0,
         )  # fmt: skip
 
@@ -137,9 +140,9 @@ class Figures:
         if not self._ready():
             return
         session = self.view.session
-        item, ground, posed = session.item, session.ground, session.posed
+        item, dem, ground, posed = session.item, session.dem, session.ground, session.posed
         session.terrain_lane.submit(
-            ("draw", points), lambda job: drawing.placed(item, ground, posed, kind, points, job),
+            ("draw", points), lambda job: drawing.placed(item, dem.here(ground), posed, kind, points, job),
             partial(self._add, kind), session.told.emit,
         )  # fmt: skip
 
@@ -153,6 +156,18 @@ class Figures:
             view.dock.say(str(error))
             return
         view.dock.say(tr("Drawn into the layer {layer}. Save its edits to keep it.").format(layer=layer.name()))
+
+    def choose_folder(self):
+        """Let the person choose where landmarks, skylines and masks are kept."""
+        session, dock = self.view.session, self.view.dock
+        if session.photos is None:
+            dock.say(tr("Choose a layer of oriented photo points."))
+            return
+        folder = aids_folder(session.photos.layer, self.view.project, session.item.path if session.item else None)
+        text = tr("Folder of landmarks, skylines and masks")
+        chosen = QFileDialog.getExistingDirectory(dock, text, str(folder or ""))
+        if chosen:
+            session.photos.layer.setCustomProperty(FOLDER_PROPERTY, chosen)
 
     def forget(self):
         """Another photograph follows."""

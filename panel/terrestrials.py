@@ -46,9 +46,9 @@ class Terrestrials:
     def _ask_map(self, session, ground, draft):
         layers = map_layers.shown_layers(self.view.iface.mapCanvas().layers(), session.photos.layer)
         readings = map_layers.read_layers(layers, ground, self._crs(), self.view.project)
-        item = session.item
+        item, dem = session.item, session.dem
         session.terrain_lane.submit(
-            MAP, lambda job: map_layers.traces_of(readings, item, ground, draft.camera, draft.pose), self._take_map,
+            MAP, lambda job: map_layers.traces_of(readings, item, dem.here(ground), draft.camera, draft.pose), self._take_map,
             session.told.emit, urgency=2,
         )  # fmt: skip
 
@@ -58,9 +58,10 @@ class Terrestrials:
 
     def _ask_summits(self, session, ground, draft):
         layer = map_layers.summit_layer(self.view.project, session.photos.layer)
+        dem = session.dem
         given = map_layers.read_summit_layer(layer, self._crs(), self.view.project)
         session.terrain_lane.submit(
-            SUMMITS, lambda job: map_layers.visible_summits(ground, draft.camera, draft.pose, given),
+            SUMMITS, lambda job: map_layers.visible_summits(dem.here(ground), draft.camera, draft.pose, given),
             self._take_summits, session.told.emit, urgency=2,
         )  # fmt: skip
 

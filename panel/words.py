@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..algorithms.shared.i18n import marked, tr
+from ..core.base.status import known_status
 
 
 def photo_words(session):
@@ -33,12 +34,11 @@ def photo_words(session):
 
 
 def status_words(status):
-    """A status in the user's language."""
-    from ..core.report.facts import STATUSES, status_word
+    """A status in the user's language; a text that is none stays as it is."""
+    from ..core.report.facts import status_word
 
-    if status in STATUSES:
-        return status_word(status, marked)
-    return tr("confirmed") if status == "confirmed" else status
+    known = known_status(status)
+    return status if known is None else status_word(known, marked)
 
 
 def place_words(place):

@@ -128,7 +128,7 @@ class Correction:
         session.told.emit(tr("Fitting ..."))
         session.solving_lane.submit(
             "snap",
-            lambda job: solving.snapped(item, draft, ground, dem.dem(), evidence, free, job),
+            lambda job: solving.snapped(item, draft, dem.here(ground), dem.dem(), evidence, free, job),
             lambda answer: self._take_answer(item, *answer),
             session.told.emit,
         )

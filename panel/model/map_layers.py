@@ -118,6 +118,7 @@ def traces_of(readings, item, ground, camera, pose):
     photo = OpenedPhoto(item.point.feature, item.name, item.path, view, ground.terrain, True, SILENT)
     traces, names = [], []
     for features in readings:
+        features.terrain = ground.terrain  # that of this thread
         named, strokes = features.add(photo)
         names += [(point.words, *map(float, view.ray_of(point.x_px, point.y_px))) for point in named]
         traces += [Trace("map", *view.ray_of(stroke.x_px, stroke.y_px), stroke.visible) for stroke in strokes]

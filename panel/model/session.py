@@ -16,7 +16,6 @@ from . import ground as grounds
 from . import solving
 from .aids import aids_folder, read_aids
 from .draft import Draft, History
-from .edits import CONFIRMED
 from .lanes import Lane
 from .pictures import PictureStore
 
@@ -39,6 +38,10 @@ class DemHolder:
         if not hasattr(self._opened, "dem"):
             self._opened.dem = self.source.open()
         return self._opened.dem
+
+    def here(self, ground):
+        """Give what is known of a ground with this thread's own elevation model."""
+        return replace(ground, terrain=self.dem())
 
     def cache(self):
         """Horizons that this thread has computed."""
@@ -178,6 +181,13 @@ class Session(QObject):
             self._lack_picture(tr("The point names no photo. Fill its path field."))
         self._look_around()
 
+    def start_over(self):
+        """Forget all corrections, and show the photograph as the layer has it."""
+        fid = None if self.item is None else self.item.fid
+        self._histories.clear()
+        if fid is not None:
+            self.show(fid)
+
     def reread(self):
         """Read the point again after an edit."""
         if self.item is not None and self.photos is not None:
@@ -219,7 +229,7 @@ class Session(QObject):
         )  # fmt: skip
 
     def _take_ground(self, ground):
-        self.ground = ground
+        self.ground = self.dem.here(ground)
         self.known_changed.emit()
 
     def _begin(self, size_px, focal_length_35mm):
@@ -251,8 +261,3 @@ class Session(QObject):
         if focal_length_35mm:
             return Camera(*size_px, focal_from_35mm_px(*size_px, focal_length_35mm)), True
         return assumed_camera(*size_px), False
-
-    @property
-    def confirmed(self):
-        """Whether a person has confirmed the photograph's answer."""
-        return self.item is not None and self.item.status == CONFIRMED

@@ -52,6 +52,8 @@ def test_a_drag_a_snap_and_keep_rescue_a_photograph_in_four_steps(panel, scene):
     layer.undoStack().undo()
     assert layer.getFeature(panel.session.item.fid)["status"] == "ambiguous"
     layer.rollBack()
+    hand.settle()
+    assert error_deg(panel, scene) == pytest.approx(5.0, abs=0.1) and not panel.session.history.can_undo
 
 
 def test_every_way_to_move_the_horizon_and_back(panel):

@@ -48,7 +48,7 @@ def prepare():
     project = QgsProject.instance()
     points = QgsVectorLayer(os.environ["PANEL_POINTS"], "Oriented photos", "ogr")
     relief = QgsRasterLayer(os.environ["PANEL_DEM"], "Elevation model")
-    project.addMapLayers([relief, points])
+    project.addMapLayers([points, relief])
     project.setCrs(relief.crs())
     points.loadNamedStyle(str(ROOT / "styles" / "oriented.qml"))
     iface.setActiveLayer(points)
@@ -67,7 +67,8 @@ def steps(points):
     hand = Hand(view)
     yield
     hand.settle()
-    while view.session.posed is None and view.go(1):
+    wanted = os.environ.get("PANEL_FIRST", "")
+    while (view.session.posed is None or wanted not in view.session.item.name) and view.go(1):
         hand.settle()
     width, height = hand.canvas.size_px
     shot("open")

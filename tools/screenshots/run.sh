@@ -35,7 +35,7 @@ timeout 400 "$program" --nologo --noversioncheck --profiles-path "$work" --profi
   --code "$root/tools/screenshots/desktop.py" < /dev/null > "$work/qgis.log" 2>&1 || true
 cat "$work/desktop.log"
 PYTHONPATH=build/plugins .venv/bin/python tools/screenshots/panel_points.py "$SAMPLE" "$work/points.gpkg"
-SHOTS=$work PANEL_POINTS=$work/points.gpkg PANEL_DEM=$SAMPLE/dem/mountains.tif PANEL_ROOT=$root timeout 400 "$program" \
+SHOTS=$work PANEL_POINTS=$work/points.gpkg PANEL_DEM=$SAMPLE/dem/mountains.tif PANEL_ROOT=$root PANEL_FIRST=morning timeout 400 "$program" \
   --nologo --noversioncheck --profiles-path "$work" --profile default --code "$root/tools/screenshots/panel.py" \
   < /dev/null > "$work/qgis_panel.log" 2>&1 || true
 cat "$work/panel.log"
