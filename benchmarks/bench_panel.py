@@ -164,15 +164,15 @@ def opening(view, fid):
 
 
 def browse(view, hand, count):
-    """Show one photograph after the other; seconds per photograph, and memory before and after [MB]."""
+    """Show one photograph after the other; seconds per photograph, and memory before, on the way and after [MB]."""
     ids = view.session.photos.ids()
-    before, start, peak = resident_mb(), time.perf_counter(), 0.0
+    before, start, memory = resident_mb(), time.perf_counter(), []
     for fid in ids[:count]:
         view.select(fid)
         hand.settle()
-        peak = max(peak, resident_mb())
+        memory.append(resident_mb())
     seconds = (time.perf_counter() - start) / count
-    return seconds, before, resident_mb(), peak, view.session.pictures.size / 1e6
+    return seconds, before, memory[count // 6], memory[count // 2], memory[-1], view.session.pictures.size / 1e6
 
 
 def real_opening(path):
@@ -208,7 +208,7 @@ def main():
             fid = next(f for f in ids[2:] if suffixes[f] == suffix)
             result[f"open_{suffix[1:]}_s"], result[f"open_{suffix[1:]}_longest_stall_ms"] = opening(view, fid)
         result["browse_s"], *memory = browse(view, hand, arguments.photos)
-        names = ("memory_before_mb", "memory_after_mb", "memory_peak_mb", "pictures_mb")
+        names = ("memory_before_mb", "memory_sixth_mb", "memory_half_mb", "memory_after_mb", "pictures_mb")
         result.update(zip(names, memory))
         real = next(iter(sorted(arguments.data.glob("khumbu/photos/*.HEIC"))), None)
         if real is not None:

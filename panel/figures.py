@@ -126,8 +126,8 @@ class Figures:
         session = self.view.session
         dem, ground, posed = session.dem, session.ground, session.posed
         session.terrain_lane.submit(
-            "measure", lambda job: grounds.places_of(dem.here(ground), posed, points), partial(self._show_measured, kind),
-            session.told.emit, urgency=0,
+            "measure", lambda job: grounds.places_of(dem.here(ground), posed, points),
+            partial(self._show_measured, kind), session.told.emit, urgency=0,
         )  # fmt: skip
 
     def _show_measured(self, kind, places):

@@ -48,8 +48,8 @@ class Terrestrials:
         readings = map_layers.read_layers(layers, ground, self._crs(), self.view.project)
         item, dem = session.item, session.dem
         session.terrain_lane.submit(
-            MAP, lambda job: map_layers.traces_of(readings, item, dem.here(ground), draft.camera, draft.pose), self._take_map,
-            session.told.emit, urgency=2,
+            MAP, lambda job: map_layers.traces_of(readings, item, dem.here(ground), draft.camera, draft.pose),
+            self._take_map, session.told.emit, urgency=2,
         )  # fmt: skip
 
     def _take_map(self, traces_and_names):

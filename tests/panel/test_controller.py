@@ -204,7 +204,7 @@ def test_a_damaged_photograph_gets_a_sentence(make_view, scene, tmp_path):
 def test_other_coordinates_of_the_project_and_a_turned_map(panel):
     canvas = panel.view.iface.mapCanvas()
     canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:4326"))
-    first = panel.view.marks._wedge.getPoint(0, 0)
+    first = QgsPointXY(panel.view.marks._wedge.getPoint(0, 0))
     canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
     moved = panel.view.marks._wedge.getPoint(0, 0)
     assert abs(moved.x() - first.x()) > 1_000
