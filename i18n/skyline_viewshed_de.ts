@@ -20,6 +20,17 @@
         <translation>Beginnen Sie mit der Berg-Schaltfläche in der Werkzeugleiste oder in der Verarbeitungswerkzeugkiste.</translation>
     </message>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Photo view</source>
+        <translation>Fotoansicht</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Look at oriented photographs beside the map, correct and measure.</source>
+        <translation>Orientierte Fotos neben der Karte ansehen, korrigieren und ausmessen.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -37,6 +48,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Geländemodell (DGM)</translation>
     </message>
@@ -56,6 +68,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
@@ -72,6 +85,7 @@
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Viewshed</source>
         <translation>Sichtfeld</translation>
     </message>
@@ -717,6 +731,7 @@
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
     </message>
@@ -825,6 +840,7 @@
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewer.py"/>
         <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point has no usable position.</source>
         <translation>Der Punkt hat keine brauchbare Position.</translation>
     </message>
@@ -1976,6 +1992,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Der Punktlayer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>
     </message>
@@ -2845,6 +2862,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Summits</source>
         <translation>Gipfel</translation>
     </message>
@@ -3547,6 +3565,770 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Güte: Pixel je Meter Boden in der schlechteren Richtung</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>Der Layer enthält keine Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>Der Layer wurde entfernt. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <location filename="../panel/figures.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>Choose a layer of oriented photo points.</source>
+        <translation>Wählen Sie einen Layer orientierter Fotopunkte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>There is no further photograph in this direction.</source>
+        <translation>In dieser Richtung gibt es kein weiteres Foto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No photograph without a verdict follows.</source>
+        <translation>Es folgt kein Foto ohne Urteil mehr.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No viewshed yet: the photograph has no heading, or the elevation model is missing.</source>
+        <translation>Noch kein Sichtfeld: Das Foto hat keine Blickrichtung, oder das Geländemodell fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Computing the viewshed ...</source>
+        <translation>Das Sichtfeld wird berechnet ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Opening {photo} ...</source>
+        <translation>{photo} wird geöffnet ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The photograph cannot be shown.</source>
+        <translation>Das Foto kann nicht angezeigt werden.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Nothing to turn yet: the picture or the elevation model is missing.</source>
+        <translation>Noch nichts zu drehen: Das Bild oder das Geländemodell fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Click a place on the map that the middle of the picture shows.</source>
+        <translation>Klicken Sie auf der Karte einen Ort an, den die Bildmitte zeigt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>No landmark yet: the picture or the elevation model is missing.</source>
+        <translation>Noch keine Landmarke: Das Bild oder das Geländemodell fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Now click the same point on the map.</source>
+        <translation>Klicken Sie jetzt denselben Punkt auf der Karte an.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
+        <translation>{count} Landmarken. Setzen Sie eine weitere, drücken Sie Einrasten oder Übernehmen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The map's coordinate system does not reach there.</source>
+        <translation>Das Koordinatensystem der Karte reicht nicht bis dorthin.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Skyline drawn. Press Snap to fit the horizon to it.</source>
+        <translation>Horizontlinie gezeichnet. Drücken Sie Einrasten, um den Horizont an sie anzupassen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Masked. Press Snap to fit the horizon without it.</source>
+        <translation>Maskiert. Drücken Sie Einrasten, um den Horizont ohne diesen Teil anzupassen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>This needs a heading and an elevation model.</source>
+        <translation>Dafür braucht es eine Blickrichtung und ein Geländemodell.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Drawn into the layer {layer}. Save its edits to keep it.</source>
+        <translation>In den Layer {layer} gezeichnet. Speichern Sie seine Änderungen, um es zu behalten.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Folder of landmarks, skylines and masks</source>
+        <translation>Ordner für Landmarken, Horizontlinien und Masken</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/aids.py"/>
+        <source>it is not JSON. Mend it, or delete it.</source>
+        <translation>sie enthält kein gültiges JSON. Reparieren oder löschen Sie sie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>This photograph has no answer {number}.</source>
+        <translation>Dieses Foto hat keine Antwort {number}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to fit yet: the picture or the elevation model is missing.</source>
+        <translation>Noch nichts anzupassen: Das Bild oder das Geländemodell fehlt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitting ...</source>
+        <translation>Anpassung läuft ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitted: heading {heading}°. Press Keep to write it to the layer.</source>
+        <translation>Angepasst: Blickrichtung {heading}°. Drücken Sie Übernehmen, um sie in den Layer zu schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to keep yet: the photograph has no heading.</source>
+        <translation>Noch nichts zu übernehmen: Das Foto hat keine Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Kept in the layer's edit buffer. Save the layer's edits to make it permanent.</source>
+        <translation>In den Bearbeitungspuffer des Layers übernommen. Speichern Sie die Änderungen des Layers, damit es dauerhaft wird.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>horizon moved</source>
+        <translation>Horizont verschoben</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>snapped to the skyline</source>
+        <translation>an der Horizontlinie eingerastet</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>another answer chosen</source>
+        <translation>andere Antwort gewählt</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>placed by landmarks</source>
+        <translation>mit Landmarken bestimmt</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>landmarks given</source>
+        <translation>Landmarken angegeben</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>skyline drawn</source>
+        <translation>Horizontlinie gezeichnet</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>parts of the picture left out</source>
+        <translation>Teile des Bildes ausgelassen</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>confirmed by hand: the answer was right</source>
+        <translation>von Hand bestätigt: die Antwort war richtig</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>corrected by hand: {how}</source>
+        <translation>von Hand korrigiert: {how}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Part of the figure shows the sky or lies beyond the elevation model, so it cannot be measured.</source>
+        <translation>Ein Teil der Figur zeigt den Himmel oder liegt außerhalb des Geländemodells und lässt sich deshalb nicht messen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Area on the map {area}, outline {length}.</source>
+        <translation>Fläche auf der Karte {area}, Umriss {length}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Distance on the map {length}, height difference {rise} m.</source>
+        <translation>Entfernung auf der Karte {length}, Höhenunterschied {rise} m.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Points from photos</source>
+        <translation>Punkte aus Fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Lines from photos</source>
+        <translation>Linien aus Fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Areas from photos</source>
+        <translation>Flächen aus Fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>This shows no ground that the elevation model knows, so nothing was drawn.</source>
+        <translation>Hier ist kein Gelände zu sehen, das das Geländemodell kennt; es wurde nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>The layer {layer} cannot be edited.</source>
+        <translation>Der Layer {layer} lässt sich nicht bearbeiten.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Draw in a photo</source>
+        <translation>In einem Foto zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Verdict of the review</source>
+        <translation>Urteil der Durchsicht</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The field {field} does not take the value. Check the layer's fields.</source>
+        <translation>Das Feld {field} nimmt den Wert nicht an. Prüfen Sie die Felder des Layers.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer {layer} is read-only. Export it as a GeoPackage, and correct the photographs there.</source>
+        <translation>Der Layer {layer} ist schreibgeschützt. Exportieren Sie ihn als GeoPackage und korrigieren Sie die Fotos dort.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer takes no new fields ({fields}). Export it as a GeoPackage first.</source>
+        <translation>Der Layer nimmt keine neuen Felder an ({fields}). Exportieren Sie ihn zuerst als GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Correct {photo}</source>
+        <translation>{photo} korrigieren</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Review {photo}</source>
+        <translation>{photo} beurteilen</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/lanes.py"/>
+        <source>An unexpected error occurred. Please report it and attach the log.</source>
+        <translation>Ein unerwarteter Fehler ist aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>The layer has no field with the photographs' paths. Choose the result of Orient photos.</source>
+        <translation>Der Layer hat kein Feld mit den Pfaden der Fotos. Wählen Sie das Ergebnis von Fotos orientieren.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>The photograph is no longer in the layer.</source>
+        <translation>Das Foto ist nicht mehr im Layer.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>Choose an elevation model to see the horizon.</source>
+        <translation>Wählen Sie ein Geländemodell, um den Horizont zu sehen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
+        <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
+        <translation>Die Horizontlinie legt es hier nicht genauer fest; der Horizont bleibt, wo Sie ihn hingelegt haben. Setzen Sie eine Landmarke, zeichnen Sie die Horizontlinie, oder maskieren Sie, was sie verdeckt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The algorithm Directed viewshed is not there. Switch Processing on in the plugin manager.</source>
+        <translation>Der Algorithmus Gerichtetes Sichtfeld fehlt. Schalten Sie Processing in der Erweiterungsverwaltung ein.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed could not be computed. The log of Processing says why.</source>
+        <translation>Das Sichtfeld konnte nicht berechnet werden. Das Protokoll von Processing nennt den Grund.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>Viewshed of {photo}</source>
+        <translation>Sichtfeld von {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed of {photo} is in the project.</source>
+        <translation>Das Sichtfeld von {photo} ist im Projekt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Previous</source>
+        <translation>Vorheriges</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the previous photograph.</source>
+        <translation>Zeigt das vorherige Foto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next</source>
+        <translation>Nächstes</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph.</source>
+        <translation>Zeigt das nächste Foto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next doubtful</source>
+        <translation>Nächstes zweifelhaftes</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph whose status is ambiguous, rejected or failed.</source>
+        <translation>Zeigt das nächste Foto mit dem Status ambiguous, rejected oder failed.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag to pan, wheel to zoom, double click to see the whole picture.</source>
+        <translation>Ziehen verschiebt, das Rad vergrößert, ein Doppelklick zeigt das ganze Bild.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Correct</source>
+        <translation>Korrigieren</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag the horizon. The right button or Shift turns it, the wheel changes the field of view. Arrow keys, comma, full stop, plus and minus do the same.</source>
+        <translation>Ziehen Sie den Horizont. Die rechte Taste oder die Umschalttaste dreht ihn, das Rad ändert den Bildwinkel. Pfeiltasten, Komma, Punkt, Plus und Minus tun dasselbe.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture, then the same point on the map.</source>
+        <translation>Klicken Sie einen Punkt im Bild an, dann denselben Punkt auf der Karte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw skyline</source>
+        <translation>Horizontlinie zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw the whole skyline by hand; the extracted one is ignored.</source>
+        <translation>Zeichnen Sie die ganze Horizontlinie von Hand; die erkannte wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Repair skyline</source>
+        <translation>Horizontlinie ausbessern</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw over a wrong stretch of the extracted skyline.</source>
+        <translation>Überzeichnen Sie ein falsches Stück der erkannten Horizontlinie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Mask</source>
+        <translation>Maskieren</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Brush over what hides the skyline: flags, clouds, people, trees.</source>
+        <translation>Übermalen Sie, was die Horizontlinie verdeckt: Fahnen, Wolken, Menschen, Bäume.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure distance</source>
+        <translation>Entfernung messen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click points in the picture: distance and height difference on the ground.</source>
+        <translation>Klicken Sie Punkte im Bild an: Entfernung und Höhenunterschied im Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure area</source>
+        <translation>Fläche messen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the corners of an area in the picture.</source>
+        <translation>Klicken Sie die Ecken einer Fläche im Bild an.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw point</source>
+        <translation>Punkt zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture; it goes to the active layer if that is edited, else to a new one.</source>
+        <translation>Klicken Sie einen Punkt im Bild an; er kommt in den aktiven Layer, wenn dieser bearbeitet wird, sonst in einen neuen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw line</source>
+        <translation>Linie zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a line in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Klicken Sie eine Linie im Bild an. Ein Doppelklick, die Eingabetaste oder die rechte Taste beendet sie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw area</source>
+        <translation>Fläche zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click an area in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Klicken Sie eine Fläche im Bild an. Ein Doppelklick, die Eingabetaste oder die rechte Taste beendet sie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Face a place</source>
+        <translation>Auf einen Ort richten</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a place on the map: the camera turns to it.</source>
+        <translation>Klicken Sie einen Ort auf der Karte an: Die Kamera dreht sich dorthin.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Fit the horizon to the picture from where it is.</source>
+        <translation>Passt den Horizont von seiner jetzigen Lage aus an das Bild an.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 2</source>
+        <translation>Alternative 2 verwenden</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the second-best heading of the table, and fit from there.</source>
+        <translation>Nimmt die zweitbeste Blickrichtung der Tabelle und passt von dort aus an.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 3</source>
+        <translation>Alternative 3 verwenden</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the third-best heading of the table, and fit from there.</source>
+        <translation>Nimmt die drittbeste Blickrichtung der Tabelle und passt von dort aus an.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the last change back.</source>
+        <translation>Nimmt die letzte Änderung zurück.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Make the change again.</source>
+        <translation>Nimmt die Änderung wieder vor.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Write the correction to the layer's edit buffer, with the status confirmed.</source>
+        <translation>Schreibt die Korrektur mit dem Status confirmed in den Bearbeitungspuffer des Layers.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Compute the ground that this photograph shows, and add it as a layer.</source>
+        <translation>Berechnet das Gelände, das dieses Foto zeigt, und fügt es als Layer hinzu.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Judge one photograph after the other with single keys.</source>
+        <translation>Beurteilen Sie ein Foto nach dem anderen mit einzelnen Tasten.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is right.</source>
+        <translation>Die Antwort ist richtig.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Reject</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is wrong.</source>
+        <translation>Die Antwort ist falsch.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Doubtful</source>
+        <translation>Zweifelhaft</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>It cannot be told.</source>
+        <translation>Es lässt sich nicht entscheiden.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Leave it for later.</source>
+        <translation>Für später lassen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Horizon of the elevation model</source>
+        <translation>Horizont des Geländemodells</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Crests below the horizon</source>
+        <translation>Kämme unter dem Horizont</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skyline in the picture</source>
+        <translation>Horizontlinie im Bild</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../core/report/card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternativen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Azimuth and elevation angle</source>
+        <translation>Azimut und Höhenwinkel</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Map layers</source>
+        <translation>Kartenlayer</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/canvas.py"/>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Layer of oriented photo points.</source>
+        <translation>Layer orientierter Fotopunkte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Elevation model</source>
+        <translation>Geländemodell</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Choose what is drawn over the picture.</source>
+        <translation>Wählen Sie, was über das Bild gezeichnet wird.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove the landmarks</source>
+        <translation>Landmarken entfernen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove what was drawn and masked</source>
+        <translation>Gezeichnetes und Maskiertes entfernen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Folder of landmarks, skylines and masks ...</source>
+        <translation>Ordner für Landmarken, Horizontlinien und Masken ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show the whole picture</source>
+        <translation>Ganzes Bild zeigen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Further commands for this photograph.</source>
+        <translation>Weitere Befehle für dieses Foto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Reviewed photographs</source>
+        <translation>Beurteilte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>In the picture, {distance} away.</source>
+        <translation>Im Bild, {distance} entfernt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Hidden by terrain at {distance}.</source>
+        <translation>Verdeckt durch Gelände in {distance}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>The elevation model does not know this place.</source>
+        <translation>Das Geländemodell kennt diesen Ort nicht.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, straight ahead.</source>
+        <translation>Außerhalb des Bildes, geradeaus.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the right of its middle.</source>
+        <translation>Außerhalb des Bildes, {angle}° rechts von seiner Mitte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the left of its middle.</source>
+        <translation>Außerhalb des Bildes, {angle}° links von seiner Mitte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Photographs of the layer</source>
+        <translation>Fotos des Layers</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Click a photograph to show it.</source>
+        <translation>Klicken Sie ein Foto an, um es zu zeigen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>No photograph. Click a point on the map with the selection tool, or a thumbnail below.</source>
+        <translation>Kein Foto. Klicken Sie mit dem Auswahlwerkzeug einen Punkt auf der Karte an oder unten ein Vorschaubild.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>heading {heading}°, pitch {pitch}°, roll {roll}°, field of view {hfov}°</source>
+        <translation>Blickrichtung {heading}°, Nickwinkel {pitch}°, Rollwinkel {roll}°, Bildwinkel {hfov}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>no heading yet: press Snap, drag the horizon, or set a landmark</source>
+        <translation>noch keine Blickrichtung: Drücken Sie Einrasten, ziehen Sie den Horizont, oder setzen Sie eine Landmarke</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>the field of view is assumed</source>
+        <translation>der Bildwinkel ist angenommen</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>changed, not kept</source>
+        <translation>geändert, nicht übernommen</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>azimuth {azimuth}°, elevation angle {angle}°</source>
+        <translation>Azimut {azimuth}°, Höhenwinkel {angle}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>{elevation} m high, {distance} km away (90 %: {near} to {far} km), {direction}</source>
+        <translation>{elevation} m hoch, {distance} km entfernt (90 %: {near} bis {far} km), {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Sky, {direction}</source>
+        <translation>Himmel, {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Beyond the elevation model or in a hole of it, {direction}</source>
+        <translation>Außerhalb des Geländemodells oder in einer Lücke davon, {direction}</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4620,11 +5402,6 @@
         <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} innerhalb von 3°</translation>
-    </message>
-    <message>
-        <location filename="../core/report/card.py"/>
-        <source>Alternatives</source>
-        <translation>Alternativen</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>

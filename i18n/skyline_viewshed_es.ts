@@ -20,6 +20,17 @@
         <translation>Empiece con el botón de la montaña de la barra de herramientas, o en la caja de herramientas de procesos.</translation>
     </message>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Photo view</source>
+        <translation>Vista de fotos</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Look at oriented photographs beside the map, correct and measure.</source>
+        <translation>Ver fotografías orientadas junto al mapa, corregirlas y medir en ellas.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -37,6 +48,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Modelo digital de elevaciones (MDE)</translation>
     </message>
@@ -56,6 +68,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
@@ -72,6 +85,7 @@
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Viewshed</source>
         <translation>Cuenca visual</translation>
     </message>
@@ -717,6 +731,7 @@
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
     </message>
@@ -825,6 +840,7 @@
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewer.py"/>
         <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point has no usable position.</source>
         <translation>El punto no tiene una posición utilizable.</translation>
     </message>
@@ -1976,6 +1992,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La capa de puntos no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>
     </message>
@@ -2845,6 +2862,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Summits</source>
         <translation>Cimas</translation>
     </message>
@@ -3547,6 +3565,770 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Calidad: píxeles por metro de terreno en la peor dirección</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>La capa no contiene fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>La capa se ha eliminado. Elija otra.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <location filename="../panel/figures.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>Choose a layer of oriented photo points.</source>
+        <translation>Elija una capa de puntos de fotos orientadas.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>There is no further photograph in this direction.</source>
+        <translation>No hay más fotografías en esta dirección.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No photograph without a verdict follows.</source>
+        <translation>No queda más adelante ninguna fotografía sin veredicto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No viewshed yet: the photograph has no heading, or the elevation model is missing.</source>
+        <translation>Aún no hay cuenca visual: la fotografía no tiene rumbo o falta el modelo de elevaciones.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Computing the viewshed ...</source>
+        <translation>Calculando la cuenca visual ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Opening {photo} ...</source>
+        <translation>Abriendo {photo} ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The photograph cannot be shown.</source>
+        <translation>La fotografía no se puede mostrar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Nothing to turn yet: the picture or the elevation model is missing.</source>
+        <translation>Aún no hay nada que girar: falta la imagen o el modelo de elevaciones.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Click a place on the map that the middle of the picture shows.</source>
+        <translation>Haga clic en el mapa en un lugar que muestre el centro de la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>No landmark yet: the picture or the elevation model is missing.</source>
+        <translation>Aún no hay punto de referencia: falta la imagen o el modelo de elevaciones.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Now click the same point on the map.</source>
+        <translation>Ahora haga clic en el mismo punto del mapa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
+        <translation>{count} puntos de referencia. Añada otro, pulse Ajustar o pulse Conservar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The map's coordinate system does not reach there.</source>
+        <translation>El sistema de coordenadas del mapa no llega hasta allí.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Skyline drawn. Press Snap to fit the horizon to it.</source>
+        <translation>Línea del horizonte dibujada. Pulse Ajustar para ajustar el horizonte a ella.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Masked. Press Snap to fit the horizon without it.</source>
+        <translation>Enmascarado. Pulse Ajustar para ajustar el horizonte sin esa parte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>This needs a heading and an elevation model.</source>
+        <translation>Esto necesita un rumbo y un modelo de elevaciones.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Drawn into the layer {layer}. Save its edits to keep it.</source>
+        <translation>Dibujado en la capa {layer}. Guarde sus ediciones para conservarlo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Folder of landmarks, skylines and masks</source>
+        <translation>Carpeta de puntos de referencia, líneas del horizonte y máscaras</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/aids.py"/>
+        <source>it is not JSON. Mend it, or delete it.</source>
+        <translation>no es JSON válido. Repárelo o elimínelo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>This photograph has no answer {number}.</source>
+        <translation>Esta fotografía no tiene respuesta {number}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to fit yet: the picture or the elevation model is missing.</source>
+        <translation>Aún no hay nada que ajustar: falta la imagen o el modelo de elevaciones.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitting ...</source>
+        <translation>Ajustando ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitted: heading {heading}°. Press Keep to write it to the layer.</source>
+        <translation>Ajustado: rumbo {heading}°. Pulse Conservar para escribirlo en la capa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to keep yet: the photograph has no heading.</source>
+        <translation>Aún no hay nada que conservar: la fotografía no tiene rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Kept in the layer's edit buffer. Save the layer's edits to make it permanent.</source>
+        <translation>Conservado en el búfer de edición de la capa. Guarde las ediciones de la capa para hacerlo permanente.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>horizon moved</source>
+        <translation>horizonte movido</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>snapped to the skyline</source>
+        <translation>ajustado a la línea del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>another answer chosen</source>
+        <translation>otra respuesta elegida</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>placed by landmarks</source>
+        <translation>situada mediante puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>landmarks given</source>
+        <translation>puntos de referencia indicados</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>skyline drawn</source>
+        <translation>línea del horizonte dibujada</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>parts of the picture left out</source>
+        <translation>partes de la imagen excluidas</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>confirmed by hand: the answer was right</source>
+        <translation>confirmado a mano: la respuesta era correcta</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>corrected by hand: {how}</source>
+        <translation>corregido a mano: {how}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Part of the figure shows the sky or lies beyond the elevation model, so it cannot be measured.</source>
+        <translation>Parte de la figura muestra el cielo o queda fuera del modelo de elevaciones, por lo que no se puede medir.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Area on the map {area}, outline {length}.</source>
+        <translation>Área en el mapa {area}, contorno {length}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Distance on the map {length}, height difference {rise} m.</source>
+        <translation>Distancia en el mapa {length}, desnivel {rise} m.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Points from photos</source>
+        <translation>Puntos de las fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Lines from photos</source>
+        <translation>Líneas de las fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Areas from photos</source>
+        <translation>Áreas de las fotos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>This shows no ground that the elevation model knows, so nothing was drawn.</source>
+        <translation>Aquí no se ve terreno que el modelo de elevaciones conozca, así que no se dibujó nada.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>The layer {layer} cannot be edited.</source>
+        <translation>La capa {layer} no se puede editar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Draw in a photo</source>
+        <translation>Dibujar en una foto</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Verdict of the review</source>
+        <translation>Veredicto de la revisión</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The field {field} does not take the value. Check the layer's fields.</source>
+        <translation>El campo {field} no admite el valor. Compruebe los campos de la capa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer {layer} is read-only. Export it as a GeoPackage, and correct the photographs there.</source>
+        <translation>La capa {layer} es de solo lectura. Expórtela como GeoPackage y corrija allí las fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer takes no new fields ({fields}). Export it as a GeoPackage first.</source>
+        <translation>La capa no admite campos nuevos ({fields}). Expórtela primero como GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Correct {photo}</source>
+        <translation>Corregir {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Review {photo}</source>
+        <translation>Revisar {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/lanes.py"/>
+        <source>An unexpected error occurred. Please report it and attach the log.</source>
+        <translation>Se ha producido un error inesperado. Comuníquelo y adjunte el registro.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>The layer has no field with the photographs' paths. Choose the result of Orient photos.</source>
+        <translation>La capa no tiene ningún campo con las rutas de las fotografías. Elija el resultado de Orientar fotos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>The photograph is no longer in the layer.</source>
+        <translation>La fotografía ya no está en la capa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>Choose an elevation model to see the horizon.</source>
+        <translation>Elija un modelo de elevaciones para ver el horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
+        <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
+        <translation>La línea del horizonte no lo decide aquí con más exactitud, así que el horizonte queda donde usted lo puso. Ponga un punto de referencia, dibuje la línea del horizonte o enmascare lo que la oculta.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The algorithm Directed viewshed is not there. Switch Processing on in the plugin manager.</source>
+        <translation>Falta el algoritmo Cuenca visual dirigida. Active Processing en el administrador de complementos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed could not be computed. The log of Processing says why.</source>
+        <translation>No se pudo calcular la cuenca visual. El registro de Processing indica por qué.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>Viewshed of {photo}</source>
+        <translation>Cuenca visual de {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed of {photo} is in the project.</source>
+        <translation>La cuenca visual de {photo} está en el proyecto.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the previous photograph.</source>
+        <translation>Muestra la fotografía anterior.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph.</source>
+        <translation>Muestra la fotografía siguiente.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next doubtful</source>
+        <translation>Siguiente dudosa</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph whose status is ambiguous, rejected or failed.</source>
+        <translation>Muestra la siguiente fotografía cuyo estado es ambiguous, rejected o failed.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Look</source>
+        <translation>Mirar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag to pan, wheel to zoom, double click to see the whole picture.</source>
+        <translation>Arrastre para desplazar, rueda para ampliar, doble clic para ver la imagen entera.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Correct</source>
+        <translation>Corregir</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag the horizon. The right button or Shift turns it, the wheel changes the field of view. Arrow keys, comma, full stop, plus and minus do the same.</source>
+        <translation>Arrastre el horizonte. El botón derecho o Mayús lo gira, la rueda cambia el ángulo de visión. Las flechas, la coma, el punto, más y menos hacen lo mismo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Landmark</source>
+        <translation>Punto de referencia</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture, then the same point on the map.</source>
+        <translation>Haga clic en un punto de la imagen y luego en el mismo punto del mapa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw skyline</source>
+        <translation>Dibujar la línea del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw the whole skyline by hand; the extracted one is ignored.</source>
+        <translation>Dibuje a mano toda la línea del horizonte; la extraída no se usa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Repair skyline</source>
+        <translation>Reparar la línea del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw over a wrong stretch of the extracted skyline.</source>
+        <translation>Dibuje sobre un tramo erróneo de la línea extraída.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Mask</source>
+        <translation>Enmascarar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Brush over what hides the skyline: flags, clouds, people, trees.</source>
+        <translation>Pinte sobre lo que oculta la línea del horizonte: banderas, nubes, personas, árboles.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure distance</source>
+        <translation>Medir distancia</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click points in the picture: distance and height difference on the ground.</source>
+        <translation>Haga clic en puntos de la imagen: distancia y desnivel en el terreno.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure area</source>
+        <translation>Medir área</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the corners of an area in the picture.</source>
+        <translation>Haga clic en las esquinas de un área de la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw point</source>
+        <translation>Dibujar punto</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture; it goes to the active layer if that is edited, else to a new one.</source>
+        <translation>Haga clic en un punto de la imagen; va a la capa activa si se está editando, y si no a una nueva.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw line</source>
+        <translation>Dibujar línea</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a line in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Marque una línea en la imagen. Un doble clic, Intro o el botón derecho la termina.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw area</source>
+        <translation>Dibujar área</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click an area in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Marque un área en la imagen. Un doble clic, Intro o el botón derecho la termina.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Face a place</source>
+        <translation>Orientar hacia un lugar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a place on the map: the camera turns to it.</source>
+        <translation>Haga clic en un lugar del mapa: la cámara gira hacia él.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Snap</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Fit the horizon to the picture from where it is.</source>
+        <translation>Ajusta el horizonte a la imagen desde donde está.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 2</source>
+        <translation>Usar la alternativa 2</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the second-best heading of the table, and fit from there.</source>
+        <translation>Toma el segundo mejor rumbo de la tabla y ajusta desde ahí.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 3</source>
+        <translation>Usar la alternativa 3</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the third-best heading of the table, and fit from there.</source>
+        <translation>Toma el tercer mejor rumbo de la tabla y ajusta desde ahí.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the last change back.</source>
+        <translation>Deshace el último cambio.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Make the change again.</source>
+        <translation>Vuelve a hacer el cambio.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Write the correction to the layer's edit buffer, with the status confirmed.</source>
+        <translation>Escribe la corrección en el búfer de edición de la capa, con el estado confirmed.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Compute the ground that this photograph shows, and add it as a layer.</source>
+        <translation>Calcula el terreno que muestra esta fotografía y lo añade como capa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Judge one photograph after the other with single keys.</source>
+        <translation>Juzgue una fotografía tras otra con una sola tecla.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Accept</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is right.</source>
+        <translation>La respuesta es correcta.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Reject</source>
+        <translation>Rechazar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is wrong.</source>
+        <translation>La respuesta es errónea.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Doubtful</source>
+        <translation>Dudosa</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>It cannot be told.</source>
+        <translation>No se puede decidir.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skip</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Leave it for later.</source>
+        <translation>Dejarla para más tarde.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Horizon of the elevation model</source>
+        <translation>Horizonte del modelo de elevaciones</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Crests below the horizon</source>
+        <translation>Crestas bajo el horizonte</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skyline in the picture</source>
+        <translation>Línea del horizonte en la imagen</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../core/report/card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternativas</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Azimuth and elevation angle</source>
+        <translation>Acimut y ángulo de elevación</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Map layers</source>
+        <translation>Capas del mapa</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page up</source>
+        <translation>Re Pág</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page down</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/canvas.py"/>
+        <source>Photograph</source>
+        <translation>Fotografía</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Layer of oriented photo points.</source>
+        <translation>Capa de puntos de fotos orientadas.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Elevation model</source>
+        <translation>Modelo de elevaciones</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Choose what is drawn over the picture.</source>
+        <translation>Elija qué se dibuja sobre la imagen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove the landmarks</source>
+        <translation>Quitar los puntos de referencia</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove what was drawn and masked</source>
+        <translation>Quitar lo dibujado y enmascarado</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Folder of landmarks, skylines and masks ...</source>
+        <translation>Carpeta de puntos de referencia, líneas del horizonte y máscaras ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show the whole picture</source>
+        <translation>Mostrar la imagen entera</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Further commands for this photograph.</source>
+        <translation>Más órdenes para esta fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Reviewed photographs</source>
+        <translation>Fotografías revisadas</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>In the picture, {distance} away.</source>
+        <translation>En la imagen, a {distance}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Hidden by terrain at {distance}.</source>
+        <translation>Oculto por el terreno a {distance}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>The elevation model does not know this place.</source>
+        <translation>El modelo de elevaciones no conoce este lugar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, straight ahead.</source>
+        <translation>Fuera de la imagen, en línea recta.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the right of its middle.</source>
+        <translation>Fuera de la imagen, {angle}° a la derecha de su centro.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the left of its middle.</source>
+        <translation>Fuera de la imagen, {angle}° a la izquierda de su centro.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Photographs of the layer</source>
+        <translation>Fotografías de la capa</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Click a photograph to show it.</source>
+        <translation>Haga clic en una fotografía para mostrarla.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>No photograph. Click a point on the map with the selection tool, or a thumbnail below.</source>
+        <translation>Ninguna fotografía. Haga clic en un punto del mapa con la herramienta de selección, o en una miniatura de abajo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>heading {heading}°, pitch {pitch}°, roll {roll}°, field of view {hfov}°</source>
+        <translation>rumbo {heading}°, cabeceo {pitch}°, alabeo {roll}°, ángulo de visión {hfov}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>no heading yet: press Snap, drag the horizon, or set a landmark</source>
+        <translation>sin rumbo todavía: pulse Ajustar, arrastre el horizonte o ponga un punto de referencia</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>the field of view is assumed</source>
+        <translation>el ángulo de visión es supuesto</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>changed, not kept</source>
+        <translation>cambiada, sin conservar</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>azimuth {azimuth}°, elevation angle {angle}°</source>
+        <translation>acimut {azimuth}°, ángulo de elevación {angle}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>{elevation} m high, {distance} km away (90 %: {near} to {far} km), {direction}</source>
+        <translation>{elevation} m de altitud, a {distance} km (90 %: de {near} a {far} km), {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Sky, {direction}</source>
+        <translation>Cielo, {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Beyond the elevation model or in a hole of it, {direction}</source>
+        <translation>Fuera del modelo de elevaciones o en un hueco de él, {direction}</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4620,11 +5402,6 @@
         <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} dentro de 3°</translation>
-    </message>
-    <message>
-        <location filename="../core/report/card.py"/>
-        <source>Alternatives</source>
-        <translation>Alternativas</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>

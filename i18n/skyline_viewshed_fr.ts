@@ -20,6 +20,17 @@
         <translation>Commencez par le bouton montagne de la barre d'outils, ou dans la boîte à outils de traitements.</translation>
     </message>
     <message>
+        <location filename="../plugin.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Photo view</source>
+        <translation>Vue photo</translation>
+    </message>
+    <message>
+        <location filename="../plugin.py"/>
+        <source>Look at oriented photographs beside the map, correct and measure.</source>
+        <translation>Regarder les photos orientées à côté de la carte, les corriger et y mesurer.</translation>
+    </message>
+    <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
@@ -37,6 +48,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Elevation model (DEM)</source>
         <translation>Modèle numérique de terrain (MNT)</translation>
     </message>
@@ -56,6 +68,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../panel/view/dock.py"/>
         <source>Photos</source>
         <translation>Photos</translation>
     </message>
@@ -72,6 +85,7 @@
         <location filename="../algorithms/directed_viewshed.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Viewshed</source>
         <translation>Bassin visuel</translation>
     </message>
@@ -717,6 +731,7 @@
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point names no photo. Fill its path field.</source>
         <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
     </message>
@@ -825,6 +840,7 @@
         <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewer.py"/>
         <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
         <source>The point has no usable position.</source>
         <translation>Le point n'a pas de position utilisable.</translation>
     </message>
@@ -1976,6 +1992,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
         <source>The point layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>La couche de points n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>
     </message>
@@ -2845,6 +2862,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <location filename="../panel/view/actions.py"/>
         <source>Summits</source>
         <translation>Sommets</translation>
     </message>
@@ -3547,6 +3565,770 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Quality: pixels per metre of ground in the worse direction</source>
         <translation>Qualité : pixels par mètre de sol dans la moins bonne direction</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>La couche ne contient aucune photo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>La couche a été supprimée. Choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <location filename="../panel/figures.py"/>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>Choose a layer of oriented photo points.</source>
+        <translation>Choisissez une couche de points de photos orientées.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>There is no further photograph in this direction.</source>
+        <translation>Il n'y a plus de photo dans ce sens.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No photograph without a verdict follows.</source>
+        <translation>Il ne reste plus loin aucune photo sans verdict.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>No viewshed yet: the photograph has no heading, or the elevation model is missing.</source>
+        <translation>Pas encore de bassin visuel : la photo n'a pas d'azimut de visée, ou le modèle de terrain manque.</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Computing the viewshed ...</source>
+        <translation>Calcul du bassin visuel ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>Opening {photo} ...</source>
+        <translation>Ouverture de {photo} ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/controller.py"/>
+        <source>The photograph cannot be shown.</source>
+        <translation>La photo ne peut pas être affichée.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Nothing to turn yet: the picture or the elevation model is missing.</source>
+        <translation>Rien à tourner pour l'instant : l'image ou le modèle de terrain manque.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Click a place on the map that the middle of the picture shows.</source>
+        <translation>Cliquez sur la carte un lieu que montre le milieu de l'image.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>No landmark yet: the picture or the elevation model is missing.</source>
+        <translation>Pas encore de point de repère : l'image ou le modèle de terrain manque.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Now click the same point on the map.</source>
+        <translation>Cliquez maintenant le même point sur la carte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
+        <translation>{count} points de repère. Posez-en un autre, appuyez sur Ajuster ou sur Conserver.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The map's coordinate system does not reach there.</source>
+        <translation>Le système de coordonnées de la carte ne va pas jusque-là.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Skyline drawn. Press Snap to fit the horizon to it.</source>
+        <translation>Ligne d'horizon dessinée. Appuyez sur Ajuster pour y caler l'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Masked. Press Snap to fit the horizon without it.</source>
+        <translation>Masqué. Appuyez sur Ajuster pour caler l'horizon sans cette partie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>This needs a heading and an elevation model.</source>
+        <translation>Il faut pour cela un azimut de visée et un modèle de terrain.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Drawn into the layer {layer}. Save its edits to keep it.</source>
+        <translation>Dessiné dans la couche {layer}. Enregistrez ses modifications pour le garder.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>Folder of landmarks, skylines and masks</source>
+        <translation>Dossier des points de repère, lignes d'horizon et masques</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/aids.py"/>
+        <source>it is not JSON. Mend it, or delete it.</source>
+        <translation>ce n'est pas du JSON valide. Réparez-le ou supprimez-le.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>This photograph has no answer {number}.</source>
+        <translation>Cette photo n'a pas de réponse {number}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to fit yet: the picture or the elevation model is missing.</source>
+        <translation>Rien à ajuster pour l'instant : l'image ou le modèle de terrain manque.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitting ...</source>
+        <translation>Ajustement ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Fitted: heading {heading}°. Press Keep to write it to the layer.</source>
+        <translation>Ajusté : azimut {heading}°. Appuyez sur Conserver pour l'écrire dans la couche.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Nothing to keep yet: the photograph has no heading.</source>
+        <translation>Rien à conserver pour l'instant : la photo n'a pas d'azimut de visée.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/correcting.py"/>
+        <source>Kept in the layer's edit buffer. Save the layer's edits to make it permanent.</source>
+        <translation>Conservé dans le tampon d'édition de la couche. Enregistrez les modifications de la couche pour le rendre permanent.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>horizon moved</source>
+        <translation>horizon déplacé</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>snapped to the skyline</source>
+        <translation>calé sur la ligne d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>another answer chosen</source>
+        <translation>autre réponse choisie</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>placed by landmarks</source>
+        <translation>placée par des points de repère</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>landmarks given</source>
+        <translation>points de repère donnés</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>skyline drawn</source>
+        <translation>ligne d'horizon dessinée</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>parts of the picture left out</source>
+        <translation>parties de l'image exclues</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>confirmed by hand: the answer was right</source>
+        <translation>confirmé à la main : la réponse était juste</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/draft.py"/>
+        <source>corrected by hand: {how}</source>
+        <translation>corrigé à la main : {how}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Part of the figure shows the sky or lies beyond the elevation model, so it cannot be measured.</source>
+        <translation>Une partie de la figure montre le ciel ou sort du modèle de terrain ; elle ne peut donc pas être mesurée.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Area on the map {area}, outline {length}.</source>
+        <translation>Surface sur la carte {area}, contour {length}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Distance on the map {length}, height difference {rise} m.</source>
+        <translation>Distance sur la carte {length}, dénivelé {rise} m.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Points from photos</source>
+        <translation>Points tirés des photos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Lines from photos</source>
+        <translation>Lignes tirées des photos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Areas from photos</source>
+        <translation>Surfaces tirées des photos</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>This shows no ground that the elevation model knows, so nothing was drawn.</source>
+        <translation>On ne voit ici aucun terrain connu du modèle de terrain ; rien n'a été dessiné.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>The layer {layer} cannot be edited.</source>
+        <translation>La couche {layer} ne peut pas être modifiée.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/drawing.py"/>
+        <source>Draw in a photo</source>
+        <translation>Dessiner dans une photo</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Verdict of the review</source>
+        <translation>Verdict de la revue</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The field {field} does not take the value. Check the layer's fields.</source>
+        <translation>Le champ {field} n'accepte pas la valeur. Vérifiez les champs de la couche.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer {layer} is read-only. Export it as a GeoPackage, and correct the photographs there.</source>
+        <translation>La couche {layer} est en lecture seule. Exportez-la en GeoPackage et corrigez-y les photos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>The layer takes no new fields ({fields}). Export it as a GeoPackage first.</source>
+        <translation>La couche n'accepte pas de nouveaux champs ({fields}). Exportez-la d'abord en GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Correct {photo}</source>
+        <translation>Corriger {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/edits.py"/>
+        <source>Review {photo}</source>
+        <translation>Juger {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/lanes.py"/>
+        <source>An unexpected error occurred. Please report it and attach the log.</source>
+        <translation>Une erreur inattendue s'est produite. Signalez-la en joignant le journal.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/photo_layer.py"/>
+        <source>The layer has no field with the photographs' paths. Choose the result of Orient photos.</source>
+        <translation>La couche n'a pas de champ avec les chemins des photos. Choisissez le résultat d'Orienter des photos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>The photograph is no longer in the layer.</source>
+        <translation>La photo n'est plus dans la couche.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/session.py"/>
+        <source>Choose an elevation model to see the horizon.</source>
+        <translation>Choisissez un modèle de terrain pour voir l'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
+        <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
+        <translation>La ligne d'horizon ne tranche pas plus finement ici ; l'horizon reste où vous l'avez mis. Posez un point de repère, dessinez la ligne d'horizon, ou masquez ce qui la cache.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The algorithm Directed viewshed is not there. Switch Processing on in the plugin manager.</source>
+        <translation>L'algorithme Bassin visuel dirigé manque. Activez Processing dans le gestionnaire d'extensions.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed could not be computed. The log of Processing says why.</source>
+        <translation>Le bassin visuel n'a pas pu être calculé. Le journal de Processing dit pourquoi.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>Viewshed of {photo}</source>
+        <translation>Bassin visuel de {photo}</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/viewsheds.py"/>
+        <source>The viewshed of {photo} is in the project.</source>
+        <translation>Le bassin visuel de {photo} est dans le projet.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Previous</source>
+        <translation>Précédente</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the previous photograph.</source>
+        <translation>Montre la photo précédente.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next</source>
+        <translation>Suivante</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph.</source>
+        <translation>Montre la photo suivante.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Next doubtful</source>
+        <translation>Douteuse suivante</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Show the next photograph whose status is ambiguous, rejected or failed.</source>
+        <translation>Montre la photo suivante dont le statut est ambiguous, rejected ou failed.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Look</source>
+        <translation>Regarder</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag to pan, wheel to zoom, double click to see the whole picture.</source>
+        <translation>Glissez pour déplacer, molette pour zoomer, double clic pour voir toute l'image.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Correct</source>
+        <translation>Corriger</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Drag the horizon. The right button or Shift turns it, the wheel changes the field of view. Arrow keys, comma, full stop, plus and minus do the same.</source>
+        <translation>Glissez l'horizon. Le bouton droit ou Maj le tourne, la molette change l'angle de champ. Les flèches, la virgule, le point, plus et moins font de même.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Landmark</source>
+        <translation>Point de repère</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture, then the same point on the map.</source>
+        <translation>Cliquez un point de l'image, puis le même point sur la carte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw skyline</source>
+        <translation>Dessiner la ligne d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw the whole skyline by hand; the extracted one is ignored.</source>
+        <translation>Dessinez toute la ligne d'horizon à la main ; celle qui a été extraite est ignorée.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Repair skyline</source>
+        <translation>Réparer la ligne d'horizon</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw over a wrong stretch of the extracted skyline.</source>
+        <translation>Redessinez un tronçon faux de la ligne extraite.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Mask</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Brush over what hides the skyline: flags, clouds, people, trees.</source>
+        <translation>Peignez ce qui cache la ligne d'horizon : drapeaux, nuages, personnes, arbres.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure distance</source>
+        <translation>Mesurer une distance</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click points in the picture: distance and height difference on the ground.</source>
+        <translation>Cliquez des points de l'image : distance et dénivelé sur le terrain.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Measure area</source>
+        <translation>Mesurer une surface</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the corners of an area in the picture.</source>
+        <translation>Cliquez les coins d'une surface de l'image.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw point</source>
+        <translation>Dessiner un point</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a point in the picture; it goes to the active layer if that is edited, else to a new one.</source>
+        <translation>Cliquez un point de l'image ; il va dans la couche active si elle est en édition, sinon dans une nouvelle.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw line</source>
+        <translation>Dessiner une ligne</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a line in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Cliquez une ligne dans l'image. Un double clic, Entrée ou le bouton droit la termine.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Draw area</source>
+        <translation>Dessiner une surface</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click an area in the picture. A double click, Enter or the right button ends it.</source>
+        <translation>Cliquez une surface dans l'image. Un double clic, Entrée ou le bouton droit la termine.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Face a place</source>
+        <translation>Viser un lieu</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click a place on the map: the camera turns to it.</source>
+        <translation>Cliquez un lieu sur la carte : l'appareil se tourne vers lui.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Snap</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Fit the horizon to the picture from where it is.</source>
+        <translation>Cale l'horizon sur l'image à partir de sa position actuelle.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 2</source>
+        <translation>Prendre l'alternative 2</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the second-best heading of the table, and fit from there.</source>
+        <translation>Prend le deuxième meilleur azimut de la table et ajuste à partir de là.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Use alternative 3</source>
+        <translation>Prendre l'alternative 3</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the third-best heading of the table, and fit from there.</source>
+        <translation>Prend le troisième meilleur azimut de la table et ajuste à partir de là.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Take the last change back.</source>
+        <translation>Annule la dernière modification.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Make the change again.</source>
+        <translation>Refait la modification.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Keep</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Write the correction to the layer's edit buffer, with the status confirmed.</source>
+        <translation>Écrit la correction dans le tampon d'édition de la couche, avec le statut confirmed.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Compute the ground that this photograph shows, and add it as a layer.</source>
+        <translation>Calcule le terrain que montre cette photo et l'ajoute comme couche.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Review</source>
+        <translation>Revue</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Judge one photograph after the other with single keys.</source>
+        <translation>Jugez une photo après l'autre avec une seule touche.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is right.</source>
+        <translation>La réponse est juste.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Reject</source>
+        <translation>Rejeter</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>The answer is wrong.</source>
+        <translation>La réponse est fausse.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Doubtful</source>
+        <translation>Douteuse</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>It cannot be told.</source>
+        <translation>On ne peut pas trancher.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Leave it for later.</source>
+        <translation>La laisser pour plus tard.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Horizon of the elevation model</source>
+        <translation>Horizon du modèle de terrain</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Crests below the horizon</source>
+        <translation>Crêtes sous l'horizon</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Skyline in the picture</source>
+        <translation>Ligne d'horizon dans l'image</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../core/report/card.py"/>
+        <source>Alternatives</source>
+        <translation>Alternatives</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Azimuth and elevation angle</source>
+        <translation>Azimut et angle d'élévation</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Map layers</source>
+        <translation>Couches de la carte</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page up</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Page down</source>
+        <translation>Page suiv.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <location filename="../panel/view/dock.py"/>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/canvas.py"/>
+        <source>Photograph</source>
+        <translation>Photo</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Layer of oriented photo points.</source>
+        <translation>Couche de points de photos orientées.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Elevation model</source>
+        <translation>Modèle de terrain</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Choose what is drawn over the picture.</source>
+        <translation>Choisissez ce qui est dessiné sur l'image.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove the landmarks</source>
+        <translation>Retirer les points de repère</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Remove what was drawn and masked</source>
+        <translation>Retirer ce qui a été dessiné et masqué</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Folder of landmarks, skylines and masks ...</source>
+        <translation>Dossier des points de repère, lignes d'horizon et masques ...</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Show the whole picture</source>
+        <translation>Montrer toute l'image</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Further commands for this photograph.</source>
+        <translation>Autres commandes pour cette photo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/dock.py"/>
+        <source>Reviewed photographs</source>
+        <translation>Photos jugées</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>In the picture, {distance} away.</source>
+        <translation>Dans l'image, à {distance}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Hidden by terrain at {distance}.</source>
+        <translation>Caché par le terrain à {distance}.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>The elevation model does not know this place.</source>
+        <translation>Le modèle de terrain ne connaît pas ce lieu.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, straight ahead.</source>
+        <translation>Hors de l'image, droit devant.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the right of its middle.</source>
+        <translation>Hors de l'image, {angle}° à droite de son milieu.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/spots.py"/>
+        <source>Outside the picture, {angle}° to the left of its middle.</source>
+        <translation>Hors de l'image, {angle}° à gauche de son milieu.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Photographs of the layer</source>
+        <translation>Photos de la couche</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/strip.py"/>
+        <source>Click a photograph to show it.</source>
+        <translation>Cliquez une photo pour la montrer.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>No photograph. Click a point on the map with the selection tool, or a thumbnail below.</source>
+        <translation>Aucune photo. Cliquez un point de la carte avec l'outil de sélection, ou une vignette ci-dessous.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>heading {heading}°, pitch {pitch}°, roll {roll}°, field of view {hfov}°</source>
+        <translation>azimut {heading}°, tangage {pitch}°, roulis {roll}°, angle de champ {hfov}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>no heading yet: press Snap, drag the horizon, or set a landmark</source>
+        <translation>pas encore d'azimut de visée : appuyez sur Ajuster, glissez l'horizon ou posez un point de repère</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>the field of view is assumed</source>
+        <translation>l'angle de champ est supposé</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>changed, not kept</source>
+        <translation>modifiée, non conservée</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>azimuth {azimuth}°, elevation angle {angle}°</source>
+        <translation>azimut {azimuth}°, angle d'élévation {angle}°</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>{elevation} m high, {distance} km away (90 %: {near} to {far} km), {direction}</source>
+        <translation>{elevation} m d'altitude, à {distance} km (90 % : de {near} à {far} km), {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Sky, {direction}</source>
+        <translation>Ciel, {direction}</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>Beyond the elevation model or in a hole of it, {direction}</source>
+        <translation>Hors du modèle de terrain ou dans une de ses lacunes, {direction}</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4620,11 +5402,6 @@
         <location filename="../core/report/card.py"/>
         <source>{chance} within 3°</source>
         <translation>{chance} à moins de 3°</translation>
-    </message>
-    <message>
-        <location filename="../core/report/card.py"/>
-        <source>Alternatives</source>
-        <translation>Alternatives</translation>
     </message>
     <message>
         <location filename="../core/report/card.py"/>
