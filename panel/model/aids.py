@@ -16,7 +16,6 @@ from qgis.core import QgsProviderRegistry
 
 from ...core.base.errors import UnreadableFeaturesError
 from ...core.base.messages import Message
-from ...core.base.pixel_features import photo_key
 from .solving import skyline_of, write_mask
 
 LANDMARKS, SKYLINES, MASKS, DRAWINGS = "landmarks.geojson", "skylines.csv", "sky_masks", "drawings.json"
@@ -44,6 +43,17 @@ def aids_folder(layer, project, path):
     return None if home is None else Path(home) / FOLDER_NAME
 
 
+def name_of(path):
+    """Name of a photograph in tables: its file and folder, since cameras give the same name in several folders."""
+    return f"{Path(path).parent.name}/{Path(path).name}" if Path(path).parent.name else Path(path).name
+
+
+def means(name, path):
+    """Return whether a name in a table, with as many folders as it has, means a photograph."""
+    wanted, parts = (str(text).replace("\\", "/").lower().split("/") for text in (name, path))
+    return parts[-len(wanted) :] == wanted
+
+
 def read_aids(folder, path):
     """Read what is kept for a photograph: (landmarks, strokes, anew, brush), as in `Draft`.
 
@@ -65,9 +75,9 @@ def read_aids(folder, path):
     marks = tuple(
         LandmarkHint(values["x"], values["y"], *place["coordinates"][:2], values.get("elevation"))
         for values, place in ((feature["properties"], feature["geometry"]) for feature in _landmarks(folder))
-        if photo_key(values["photo"]) == photo_key(path)
+        if means(values["photo"], path)
     )
-    drawn = _drawings(folder).get(photo_key(path), {})
+    drawn = next((drawn for name, drawn in _drawings(folder).items() if means(name, path)), {})
     strokes = tuple(tuple(map(tuple, stroke)) for stroke in drawn.get("strokes", []))
     brush = tuple(BrushStroke(tuple(map(tuple, s["points"])), s["radius"]) for s in drawn.get("brush", []))
     return marks, strokes, bool(drawn.get("anew", False)), brush
@@ -90,21 +100,19 @@ def write_aids(folder, path, draft, evidence):
     OutputError, UnreadableFeaturesError
     """
     folder.mkdir(parents=True, exist_ok=True)
-    key = photo_key(path)
-    _write_landmarks(folder, key, draft)
+    _write_landmarks(folder, path, draft)
     line, rows = skyline_of(draft, evidence)
-    _write_skyline(folder, key, line)
-    mask = folder / MASKS / f"{Path(path).stem}.png"
+    _write_skyline(folder, path, line)
+    mask = folder / MASKS / f"{Path(name_of(path)).with_suffix('.png')}"
     if rows is not None:
-        mask.parent.mkdir(exist_ok=True)
+        mask.parent.mkdir(parents=True, exist_ok=True)
         write_mask(str(mask), rows, evidence)
     elif mask.exists():
         mask.unlink()
-    drawings = _drawings(folder)
-    drawings.pop(key, None)
+    drawings = {name: drawn for name, drawn in _drawings(folder).items() if not means(name, path)}
     if draft.strokes or draft.brush:
         brush = [{"points": stroke.points, "radius": stroke.radius_px} for stroke in draft.brush]
-        drawings[key] = {"strokes": draft.strokes, "anew": draft.anew, "brush": brush}
+        drawings[name_of(path)] = {"strokes": draft.strokes, "anew": draft.anew, "brush": brush}
     _write_text(folder / DRAWINGS, json.dumps(drawings))
 
 
@@ -118,22 +126,22 @@ def _landmarks(folder):
     return found
 
 
-def _write_landmarks(folder, key, draft):
-    features = [feature for feature in _landmarks(folder) if photo_key(feature["properties"]["photo"]) != key]
+def _write_landmarks(folder, path, draft):
+    features = [feature for feature in _landmarks(folder) if not means(feature["properties"]["photo"], path)]
     for mark in draft.landmarks:
-        values = {"photo": key, "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
+        values = {"photo": name_of(path), "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
         place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]}
         features.append({"type": "Feature", "properties": values, "geometry": place})
     if features or (folder / LANDMARKS).exists():
         _write_text(folder / LANDMARKS, json.dumps({"type": "FeatureCollection", "features": features}, indent=1))
 
 
-def _write_skyline(folder, key, line):
+def _write_skyline(folder, path, line):
     rows = []
     if (folder / SKYLINES).exists():
         with open(folder / SKYLINES, newline="", encoding="utf-8") as file:
-            rows = [row for row in list(csv.reader(file))[1:] if len(row) == 3 and photo_key(row[0]) != key]
-    rows += [[key, f"{x:.2f}", f"{y:.2f}"] for x, y in line or ()]
+            rows = [row for row in list(csv.reader(file))[1:] if len(row) == 3 and not means(row[0], path)]
+    rows += [[name_of(path), f"{x:.2f}", f"{y:.2f}"] for x, y in line or ()]
     if rows or (folder / SKYLINES).exists():
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows([["photo", "column", "row"], *rows])

@@ -109,7 +109,7 @@ def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, ph
     hand.press("keep")
     folder = photos.parent / "photo_view"
     table = QgsVectorLayer(str(folder / "landmarks.geojson"), "landmarks", "ogr")
-    assert [f["photo"] for f in table.getFeatures()] == ["north.jpg"] * 2
+    assert [f["photo"] for f in table.getFeatures()] == [f"{scene.folder.name}/north.jpg"] * 2
     assert {"photo", "x", "y", "elevation"} <= {field.name() for field in table.fields()}
     assert len(read_aids(folder, session.item.path)[0]) == 2
     session.show(session.item.fid)
@@ -133,7 +133,7 @@ def test_orientphotos_reads_what_the_panel_keeps(panel, photos, scene, provider)
     assert len(hand.draft.strokes) == 1 and hand.draft.anew
     hand.press("keep")
     folder = photos.parent / "photo_view"
-    assert (folder / "skylines.csv").read_text().startswith("photo,column,row\nnorth.jpg,")
+    assert (folder / "skylines.csv").read_text().startswith(f"photo,column,row\n{scene.folder.name}/north.jpg,")
     hand.press("next")
     hand.settle()
     hand.press("brush")
@@ -141,7 +141,7 @@ def test_orientphotos_reads_what_the_panel_keeps(panel, photos, scene, provider)
     hand.drag((100.0, row), (200.0, row))
     assert len(hand.draft.brush) == 1
     hand.press("keep")
-    assert (folder / "sky_masks" / "west.png").exists()
+    assert (folder / "sky_masks" / scene.folder.name / "west.png").exists()
     panel.layer.rollBack()
     parameters = {
         "INPUT": panel.layer, "DEM": str(scene.dem), "SKYLINES": str(folder / "skylines.csv"),
@@ -241,3 +241,11 @@ def test_a_damaged_file_of_landmarks_is_not_written_over(panel, photos):
     panel.hand.press("keep")
     assert (folder / "landmarks.geojson").read_text() == "{" and "not JSON" in panel.hand.said
     panel.layer.rollBack()
+
+
+def test_a_name_means_its_own_folder_only():
+    from skyline_viewshed.panel.model.aids import means, name_of
+
+    assert name_of("/a/day1/IMG_1.jpg") == "day1/IMG_1.jpg"
+    assert means("day1/img_1.JPG", "/a/day1/IMG_1.jpg") and means("IMG_1.jpg", "/a/day1/IMG_1.jpg")
+    assert not means("day2/IMG_1.jpg", "/a/day1/IMG_1.jpg") and not means("G_1.jpg", "/a/day1/IMG_1.jpg")
