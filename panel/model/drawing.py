@@ -9,6 +9,7 @@ from qgis.core import (
     QgsDistanceArea,
     QgsFeature,
     QgsPointXY,
+    QgsProcessingFeedback,
     QgsProject,
     QgsVectorLayer,
     QgsVectorLayerUtils,
@@ -19,6 +20,7 @@ from ...algorithms.shared.fields import qgis_fields
 from ...algorithms.shared.i18n import tr
 from ...algorithms.shared.map_places import transformed
 from ...algorithms.shared.monoplotting import MapFeatures, drawn_specs, point_specs
+from ...algorithms.shared.pixel_input import FeaturesByPhoto
 from ...algorithms.shared.views import OpenedPhoto
 from .edits import NotEditableError
 from .ground import REACH_M, view_of
@@ -85,11 +87,11 @@ def placed(item, ground, posed, kind, points, progress):
     from ...core.base.pixel_features import PixelFeature
     from ...core.mapping.sightline import SightOptions
 
-    name = item.path or item.name
-    drawn = PixelFeature(name, kind, (np.asarray(points, float).reshape(-1, 2),))
-    rows = MapFeatures(ground.terrain, [drawn], SightOptions(max_distance_m=REACH_M), COVERAGE, STEP_PX)
-    view = view_of(ground, posed)
-    rows.add(OpenedPhoto(item.point.feature, item.name, name, view, ground.terrain, True, progress), None)
+    drawn = FeaturesByPhoto([PixelFeature("", kind, (np.asarray(points, float).reshape(-1, 2),))], [])
+    rows = MapFeatures(ground.terrain, drawn, SightOptions(max_distance_m=REACH_M), COVERAGE, STEP_PX)
+    view, name = view_of(ground, posed), item.path or item.name
+    photo = OpenedPhoto(item.point.feature, item.name, name, view, ground.terrain, True, progress)
+    rows.add(photo, QgsProcessingFeedback(False))
     return {"point": rows.points, "line": rows.lines, "polygon": rows.polygons}[kind][0]
 
 

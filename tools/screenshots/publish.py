@@ -15,6 +15,8 @@ from pathlib import Path
 from PIL import Image
 
 LARGEST_BYTES = 195_000
+PANEL_BYTES = 80_000
+"""The page of the Photo view has many pictures, and all together must stay small."""
 PAGE_WIDTH, PAGE_HEIGHT = 1180, 6000
 ACCEPTED_BAR = (26, 127, 55)
 """Colour of the bar at the left of an accepted photo's card."""
@@ -27,7 +29,8 @@ CARD_HEAD = 412
 def main(work, target):
     target.mkdir(parents=True, exist_ok=True)
     for raw in sorted((work / "raw").glob("*.png")):
-        save_small(Image.open(raw).convert("RGB"), target / raw.name)
+        panel = raw.name.startswith("panel-")
+        save_small(Image.open(raw).convert("RGB"), target / raw.name, PANEL_BYTES if panel else LARGEST_BYTES)
     report = work / "results" / "report.html"
     browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not (report.exists() and browser):
@@ -76,7 +79,7 @@ def overview(card, strip):
     return whole
 
 
-def save_small(image, path):
+def save_small(image, path, largest_bytes=LARGEST_BYTES):
     """Save with as many colours and pixels as fit into the size."""
     for scale, colours in ((1, 256), (1, 128), (1, 64), (0.85, 128), (0.85, 64), (0.7, 128), (0.7, 64), (0.5, 64)):
         smaller = image.resize((round(image.width * scale), round(image.height * scale)), Image.LANCZOS)
@@ -84,11 +87,11 @@ def save_small(image, path):
         few = smaller.quantize(colours, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
         buffer = io.BytesIO()
         few.save(buffer, "PNG", optimize=True)
-        if buffer.tell() < LARGEST_BYTES:
+        if buffer.tell() < largest_bytes:
             path.write_bytes(buffer.getvalue())
             print(f"{path.name}: {smaller.width} x {smaller.height}, {colours} colours, {buffer.tell() // 1000} kB")
             return
-    raise SystemExit(f"{path.name} cannot be made smaller than {LARGEST_BYTES} bytes")
+    raise SystemExit(f"{path.name} cannot be made smaller than {largest_bytes} bytes")
 
 
 if __name__ == "__main__":
