@@ -273,10 +273,8 @@ def _add_orient(commands: Any) -> None:
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="chunks, from which a repeated run goes on")
     parser.add_argument("--joint", action="store_true", help="let accepted photos help the others of their walk")
     parser.add_argument("--use-altitude", action="store_true", help="put the eye at the recorded altitude")
-    parser.add_argument(
-        "--viewshed-distance", type=float, default=api.ViewshedOptions().max_distance_m, metavar="M",
-        help="range of viewsheds (default: %(default)g)",
-    )  # fmt: skip
+    far, text = api.ViewshedOptions().max_distance_m, "range of viewsheds (default: %(default)g)"
+    parser.add_argument("--viewshed-distance", type=float, default=far, metavar="M", help=text)
     _add_common(parser, api.HorizonOptions())
 
 
@@ -297,9 +295,7 @@ def _add_common(parser: argparse.ArgumentParser, defaults: Any) -> None:
     parser.add_argument("--dem-unit", metavar="UNIT", help="of the heights: feet, dm, ... or metres per unit")
     parser.add_argument("--eye-height", type=float, default=1.7, metavar="M", help="above the DEM (default: 1.7)")
     parser.add_argument("--eye-elevation", type=float, metavar="M", help="absolute, in place of the eye height")
-    parser.add_argument(
-        "--max-distance", type=float, default=defaults.max_distance_m, metavar="M",
-        help="search range (default: %(default)g)",
-    )  # fmt: skip
+    text = "search range (default: %(default)g)"
+    parser.add_argument("--max-distance", type=float, default=defaults.max_distance_m, metavar="M", help=text)
     parser.add_argument("--log", metavar="FILE", help="write the details of unexpected errors")
     parser.add_argument("-q", "--quiet", action="store_true", help="say only what went wrong")

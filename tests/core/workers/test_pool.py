@@ -97,12 +97,12 @@ def test_cancelling_ends_all_workers_within_two_seconds():
 
 
 def test_tasks_of_one_station_go_to_one_worker():
-    keys = ["a", "b"] * 6
+    keys = ["a", "b"] * 12
     with Pool(Squares(), 2) as pool:
-        pids = [outcome.result() for outcome in pool.map(["pid"] * 12, SILENT, keys)]
+        pids = [outcome.result() for outcome in pool.map(["pid"] * 24, SILENT, keys)]
     one, two = pids[::2], pids[1::2]
     assert pids[0] != pids[1]
-    assert one.count(pids[0]) >= 5 and two.count(pids[1]) >= 5, "only at the end a worker takes what is left"
+    assert one.count(pids[0]) >= 8 and two.count(pids[1]) >= 8, "only at the end a worker takes what is left"
 
 
 PARENT = """
