@@ -174,8 +174,7 @@ def _client(given: argparse.Namespace) -> Any:
 
 
 def _options(given: argparse.Namespace) -> api.OrientOptions:
-    horizon = api.HorizonOptions(max_distance_m=given.max_distance)
-    return api.OrientOptions(given.method, given.compass, horizon=horizon)
+    return api.OrientOptions(given.method, given.compass, api.HorizonOptions(max_distance_m=given.max_distance))
 
 
 def _dem(given: argparse.Namespace) -> Any:

@@ -222,7 +222,7 @@ def _oriented_together(requests, dem, options, feedback, folder, share, workers)
 
 def add_joint_parameter(algorithm):
     """Declare whether the photographs of a walk are oriented together."""
-    parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False)
+    parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False, optional=True)
     text = tr(
         "Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned "
         "(needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not "

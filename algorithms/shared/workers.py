@@ -16,7 +16,11 @@ def add_workers_parameter(algorithm):
         "interpreter to start, a warning says so and one process does the work."
     )
     algorithm.addParameter(
-        shared.advanced(shared.number("WORKERS", tr("Worker processes"), 0, text, minimum=0, maximum=256, integer=True))
+        shared.advanced(
+            shared.number(
+                "WORKERS", tr("Worker processes"), 0, text, minimum=0, maximum=256, optional=True, integer=True
+            )
+        )
     )
 
 
