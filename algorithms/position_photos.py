@@ -158,7 +158,7 @@ class PositionPhotos(SkylineAlgorithm):
             gps_error_m=self.parameterAsDouble(parameters, "TRACK_ERROR", context),
         )
         zone = zone_of(self.parameterAsString(parameters, "TIME_ZONE", context))
-        photos = read_times(self._paths(parameters, context), zone, self.dem is not None, feedback)
+        photos = read_times(self._paths(parameters, context, feedback), zone, self.dem is not None, feedback)
         offset_s, sigma_s, refusal = self.parameterAsDouble(parameters, "CLOCK_OFFSET", context), 0.0, None
         if self.dem is not None:
             answer = self._solved(photos, track, limits, offset_s, feedback)
@@ -181,19 +181,20 @@ class PositionPhotos(SkylineAlgorithm):
         found = {"CLOCK_FOUND": None if refusal else offset_s, "CLOCK_SIGMA": None if refusal else sigma_s}
         return {"OUTPUT": output, "COUNT": len(rows), "PLACED": placed, **found}
 
-    def _paths(self, parameters, context):
+    def _paths(self, parameters, context, feedback):
         folder = self.parameterAsString(parameters, "FOLDER", context)
         if folder:
-            return photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context))
+            return photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
         _, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", needs_position=False)
         return [row.path for row in rows if row.path]
 
     def _solved(self, photos, track, limits, offset_s, feedback):
         from ..core.walk import clock_from_skylines
 
+        dem = self.dem.open()  # type: ignore[union-attr]
         timed = [photo for photo in photos if photo.time_s is not None]
         answer = clock_from_skylines(
-            [photo.path for photo in timed], [photo.time_s - offset_s for photo in timed], track, self.dem.open(),
+            [photo.path for photo in timed], [photo.time_s - offset_s for photo in timed], track, dem,
             track_options=limits, progress=subtask(FeedbackProgress(feedback), 0.1, 0.95),
         )  # fmt: skip
         text = in_users_language(answer.message)

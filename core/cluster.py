@@ -11,6 +11,7 @@ from collections import deque
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from .base.errors import Cancelled, TerrainError
 from .base.progress import SILENT
@@ -182,14 +183,15 @@ def _results(work, chunks, client, workers, progress):
 class _Here:
     """Chunks as the tasks of a `Team`."""
 
-    work: object
+    work: Any
 
     def __call__(self):
         return lambda chunk, progress: self.work(chunk)
 
 
 def _on_cluster(work, chunks, client, progress):
-    waiting, futures = deque(chunks), deque()
+    waiting: deque = deque(chunks)
+    futures: deque = deque()
     most = IN_FLIGHT * max(sum(client.nthreads().values()), 1)
     try:
         while waiting or futures:

@@ -64,7 +64,7 @@ class ViewshedJob:
 
     def __call__(self):
         """Return the function of ((observer, sectors), progress) that gives a list of `Viewshed`."""
-        return lambda task, progress: list(viewsheds_at(self.dem, *task, self.options, progress))
+        return lambda task, progress: list(viewsheds_at(self.dem, task[0], task[1], self.options, progress))
 
 
 @dataclass(frozen=True)

@@ -67,7 +67,7 @@ class SkylineFit:
         stack = EvidenceStack(evidence.probability, leaves_frame=evidence.leaves_frame)
         if stack.informative.mean() < LEAST_COLUMNS:
             return False
-        camera = MatchInputs(evidence, prior, None).reduced_prior.camera
+        camera = MatchInputs(evidence, prior, None).reduced_prior.camera  # type: ignore[arg-type]
         self._views.append((stack, camera))
         return True
 
@@ -125,7 +125,8 @@ def clock_from_skylines(
     -------
     ClockAnswer
     """
-    fit, times = SkylineFit(dem), []
+    fit = SkylineFit(dem)
+    times: list = []
     # Reading the skyline takes longest, so only as many photographs as the search takes are read, spread over the walk.
     order, stride = np.argsort(times_s, kind="stable"), max(-(-len(times_s) // options.photos), 1)
     spread = np.concatenate([order[start::stride] for start in range(stride)])

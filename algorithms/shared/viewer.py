@@ -89,7 +89,7 @@ class Viewer:
         from ...core.viewshed.station import SHARED_CELLS, cells_at
 
         try:
-            return bool(tasks) and cells_at(self.dem, *tasks[0], self.options) > SHARED_CELLS
+            return bool(tasks) and cells_at(self.dem, tasks[0][0], tasks[0][1], self.options) > SHARED_CELLS
         except ObserverError:
             return False
 
@@ -152,7 +152,7 @@ class Viewer:
 
     def _from_team(self):
         """Yield the viewsheds of the jobs at the next place, which another process has computed."""
-        yield from self._team.take(None).result()
+        yield from self._team.take(None).result()  # type: ignore[union-attr]
 
     def _keep(self, job, found):
         from ...core.io.viewshed_raster import write_viewshed

@@ -20,8 +20,8 @@ class SkylineViewshedError(Exception):
         return _restored, (type(self), self.args, self.__dict__)
 
 
-def _restored(kind: type, args: tuple[Any, ...], state: dict[str, Any]) -> SkylineViewshedError:
-    error = kind.__new__(kind)
+def _restored(kind: type[SkylineViewshedError], args: tuple[Any, ...], state: dict[str, Any]) -> SkylineViewshedError:
+    error: SkylineViewshedError = kind.__new__(kind)
     error.args = args
     error.__dict__.update(state)
     return error

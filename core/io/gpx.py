@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from datetime import datetime, timedelta, timezone
+from datetime import datetime, timedelta
 
 from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
@@ -62,6 +62,6 @@ def _row(feature, ogr):
 
 def _seconds(to_minute, second, flag):
     """Seconds since 1970; OGR's flag counts quarters of an hour from 100, which is UTC."""
-    moment = datetime(*to_minute, tzinfo=timezone.utc) - datetime(1970, 1, 1, tzinfo=timezone.utc)
+    moment = datetime(*to_minute) - datetime(1970, 1, 1)
     away = timedelta(minutes=15 * (flag - 100)) if flag > 1 else timedelta()
     return (moment - away).total_seconds() + float(second)

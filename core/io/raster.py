@@ -140,6 +140,7 @@ class Dem(Terrain):
                 values.append(np.zeros(0) if cells is None else cells.astype(float).ravel())
         values = np.concatenate(values)
         return values[np.isfinite(values) & (values != float(self._fill))]
+
     def __reduce__(self):
         """Pickle as the path, so that another process opens the file itself."""
         return open_dem, (self.source, self.band, self.crs_wkt, self.reading)

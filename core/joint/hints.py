@@ -64,7 +64,8 @@ def neighbour_hints(photos):
     """
     trusted = [index for index, photo in enumerate(photos) if photo.status in TRUSTED]
     open_ones = [index for index, photo in enumerate(photos) if photo.status in ("ambiguous", "rejected")]
-    known, found = {}, {}
+    known: dict = {}
+    found: dict = {}
     for index in open_ones:
         hint = _by_features(photos, index, trusted, known) or _by_compass(photos, index, trusted)
         if hint is not None:

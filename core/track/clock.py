@@ -205,7 +205,7 @@ class _Search:
 
 def _closer(offsets, total, options, level):
     """Offsets of the next, finer search: around the best distinct ones."""
-    found = []
+    found: list = []
     for index in np.argsort(-total, kind="stable"):
         if all(abs(offsets[index] - other) >= options.steps_s[level] * 1.5 for other in found):
             found.append(float(offsets[index]))

@@ -83,7 +83,8 @@ class Pool:
 
     def __init__(self, job, count):
         self.job, self.count, self.command = job, count, None
-        self._inbox, self._workers = queue.Queue(), []
+        self._inbox: Any = queue.Queue()
+        self._workers: list = []
 
     def __enter__(self):
         reason = "no Python interpreter was found"

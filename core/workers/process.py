@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import os
 import queue
-import subprocess
+import subprocess  # nosec B404 - starts this program's own Python
 import sys
 import threading
 from collections import deque
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from .wire import receive, send
 
@@ -32,12 +33,13 @@ class Worker:
     """A process, the tasks in its hands (the first is the one it computes), and the key of the last one."""
 
     def __init__(self, command, job, inbox):
-        self.tasks, self.key, self.started, self._inbox = deque(), None, False, inbox
+        self.tasks: deque = deque()
+        self.key, self.started, self._inbox = None, False, inbox
         root = __name__.split(".core.")[0]
         module = f"{__package__}.worker"
         version = {"major": sys.version_info[0], "minor": sys.version_info[1]}
         code = START.format(module=module, before=NO_QGIS if "qgis" in sys.modules else "", **version)
-        self.process = subprocess.Popen(
+        self.process = subprocess.Popen(  # nosec B603 - a list of our own arguments, no shell
             [command, "-c", code],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -45,9 +47,11 @@ class Worker:
             env={**os.environ, **ONE_THREAD},
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
-        self._first = queue.Queue()
+        self._first: Any = queue.Queue()
         with suppress(OSError):
-            self.process.stdin.write(json.dumps(_path_with(root)).encode("ascii") + b"\n")
+            self.process.stdin.write(  # type: ignore[union-attr]
+                json.dumps(_path_with(root)).encode("ascii") + b"\n"
+            )
             send(self.process.stdin, job)
         threading.Thread(target=self._listen, daemon=True).start()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..base.errors import Cancelled
 from ..base.messages import Message
 from .pool import NoWorkersError, Outcome, Pool
@@ -26,7 +28,9 @@ class Team:
     """
 
     def __init__(self, job, count):
-        self.job, self.count, self.note, self._pool, self._results = job, count, None, None, None
+        self.job, self.count, self.note = job, count, None
+        self._pool: Any = None
+        self._results: Any = None
         self.alone = count <= 1
 
     def __enter__(self):

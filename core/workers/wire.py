@@ -5,7 +5,7 @@ Only the two ends of one run talk to each other, so that reading a pickle execut
 
 from __future__ import annotations
 
-import pickle
+import pickle  # nosec B403 - only between this program's own processes
 import struct
 
 HEAD = struct.Struct(">Q")
@@ -22,7 +22,7 @@ def send(stream, message):
 def receive(stream):
     """Read the next message; raises `EOFError` where the other end has closed, also within a message."""
     size = HEAD.unpack(_exactly(stream, HEAD.size))[0]
-    return pickle.loads(_exactly(stream, size))  # noqa: S301 - from our own process
+    return pickle.loads(_exactly(stream, size))  # nosec B301 - from our own process
 
 
 def _exactly(stream, count):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import pickle
+import pickle  # nosec B403 - only between this program's own processes
 import queue
 import signal
 import sys
@@ -23,7 +23,7 @@ def serve():
     requests = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints must not get between the messages
-    waiting = queue.SimpleQueue()
+    waiting: queue.SimpleQueue = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(requests, waiting), daemon=True).start()
     try:
         work = waiting.get()()
@@ -56,7 +56,7 @@ def _done(work, index, argument, answers):
 def _portable(error):
     """Give the error itself if the other process can read it, and else its text."""
     try:
-        pickle.loads(pickle.dumps(error))  # noqa: S301 - our own
+        pickle.loads(pickle.dumps(error))  # nosec B301 - made one call before
         return error
     except Exception:
         return RuntimeError(f"{type(error).__name__}: {error}")
