@@ -133,9 +133,9 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
         The DEM as a whole cannot be used.
     """
     try:
-        if photo is None:
-            photo = read_photo(request.path, None if options.method == "paper" else PREVIEW_PX)
         with one_blas_thread():
+            if photo is None:
+                photo = read_photo(request.path, None if options.method == "paper" else PREVIEW_PX)
             return _orient(request, photo, dem, options, cache or HorizonCache(), progress)
     except (PhotoError, MissingPackageError) as error:
         return OrientedPhoto(request.path, Orientation("failed", error.message))

@@ -104,9 +104,10 @@ def extract_skyline(path, method, preview_px):
     """
     if path is None:
         raise PhotoError(Message("The point names no photo. Fill its path field."))
-    photo, options = read_photo(path, None if method == "paper" else preview_px), OrientOptions()
-    metadata, evidence = photo.metadata, None
+    options, evidence = OrientOptions(), None
     with one_blas_thread():
+        photo = read_photo(path, None if method == "paper" else preview_px)
+        metadata = photo.metadata
         if method == "paper":
             skyline = extract_skyline_paper(photo.pixels, options.paper.skyline)
         else:
