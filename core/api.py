@@ -230,10 +230,9 @@ def orient_many(
     job = OrientJob(dem, chosen)
     tasks = [_task(photo, chosen, facts) for photo in listed]
     outcomes = cluster_outcomes(client, job, tasks, whole) if client else outcomes_of(job, tasks, whole, workers)
-    photos_done = _answers(outcomes, listed)
-    if joint:
-        photos_done = iter(look_again(job, tasks, list(photos_done), whole, workers))
-    for index, oriented in enumerate(photos_done):
+    answers = _answers(outcomes, listed)
+    together = look_again(job, tasks, list(answers), whole, workers) if joint else answers
+    for index, oriented in enumerate(together):
         yield _in_python(oriented)
         whole.report((index + 1) / len(listed))
 
