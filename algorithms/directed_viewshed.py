@@ -20,6 +20,7 @@ from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
 from .shared.visibility import add_range_parameters, range_fault, viewshed_options
+from .shared.workers import add_workers_parameter
 
 NUMBER_FIELDS = (*POSE_FIELDS, *INTERVAL_FIELDS)
 
@@ -126,6 +127,7 @@ class DirectedViewshed(DemAlgorithm):
         self.addParameter(figures_out())
         add_extra_parameters(self)
         add_table_parameters(self)
+        add_workers_parameter(self)
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of viewsheds")))
 
     def input_fault(self, parameters, context):
@@ -163,7 +165,7 @@ class DirectedViewshed(DemAlgorithm):
         viewer = Viewer(dem, kind, options, feedback, folders["RASTERS"])
         extras = Extras(viewer, wanted, feedback)
         figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
-        for point, viewshed in viewer.each(points, (0.0, 0.9)):
+        for point, viewshed in viewer.each(points, (0.0, 0.9), self.parameterAsInt(parameters, "WORKERS", context)):
             outputs.add(point, viewshed, extras.of(point, viewshed))
             figures.draw(point, viewshed)
         outputs.arrange(points)

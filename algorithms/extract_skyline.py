@@ -7,9 +7,7 @@ from pathlib import Path
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessing, QgsProcessingOutputNumber, QgsWkbTypes
 
 from ..core.base.errors import MissingPackageError, PhotoError
-from ..core.base.messages import Message
-from ..core.base.model import Orientation, OrientedPhoto
-from ..core.base.progress import checkpoint
+from ..core.base.progress import checkpoint, subtask
 from .base import SkylineAlgorithm
 from .shared import parameters as shared
 from .shared.feedback import FeedbackProgress, announce, warn
@@ -18,6 +16,7 @@ from .shared.i18n import marked, tr
 from .shared.layers import read_points
 from .shared.outputs import write_features, write_whole
 from .shared.styling import style_on_completion
+from .shared.workers import add_workers_parameter, team_for
 
 PREVIEW_PX = 1600
 
@@ -80,6 +79,7 @@ class ExtractSkyline(SkylineAlgorithm):
         self.addParameter(
             shared.folder_out("OVERLAYS", tr("Folder of overlays"), tr("One PNG per photograph with its skyline."))
         )
+        add_workers_parameter(self)
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of skylines")))
 
     def compute(self, parameters, context, feedback):
@@ -87,20 +87,13 @@ class ExtractSkyline(SkylineAlgorithm):
         _, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", needs_position=False)
         method = shared.METHODS[self.parameterAsEnum(parameters, "METHOD", context)]
         folder = self.parameterAsString(parameters, "OVERLAYS", context)
+        workers = self.parameterAsInt(parameters, "WORKERS", context)
         table, count = [], 0
-        for index, row in enumerate(rows):
-            checkpoint(FeedbackProgress(feedback), 0.95 * index / len(rows))
-            announce(feedback, row.name, index, len(rows))
-            try:
-                found = extract(row.path, method)
-            except (PhotoError, MissingPackageError) as error:
-                warn(feedback, row.name, error.message)
-                continue
+        for row, found in extract_each(rows, method, workers, feedback):
             table += [(None, [row.path, *pixel]) for pixel in pixels_of(found)]
             count += 1
             if folder:
                 write_overlay(found, folder)
-        checkpoint(FeedbackProgress(feedback), 0.95)
         specs = skyline_specs()
         output = write_features(
             self,
@@ -117,23 +110,23 @@ class ExtractSkyline(SkylineAlgorithm):
         return {**results, "OVERLAYS": folder} if folder else results
 
 
-def extract(path, method):
-    """Extract one skyline; the result is an `OrientedPhoto` without orientation, which overlays can draw."""
-    from ..core.io.photo import read_photo
-    from ..core.paper.skyline import extract_skyline_paper
-    from ..core.pipeline import OrientOptions
-    from ..core.skyline.evidence import skyline_evidence
+def extract_each(rows, method, workers, feedback):
+    """Yield (row, skyline) for each photo that has one, in order; warn about the others."""
+    from ..core.many import SkylineJob
 
-    if path is None:
-        raise PhotoError(Message("The point names no photo. Fill its path field."))
-    photo, options = read_photo(path, None if method == "paper" else PREVIEW_PX), OrientOptions()
-    metadata, evidence = photo.metadata, None
-    if method == "paper":
-        skyline = extract_skyline_paper(photo.pixels, options.paper.skyline)
-    else:
-        evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
-        skyline = evidence.best
-    return OrientedPhoto(path, Orientation("", ""), metadata, preview=photo.pixels, skyline=skyline, evidence=evidence)
+    progress = subtask(FeedbackProgress(feedback), 0.0, 0.95)
+    with team_for(SkylineJob(method, PREVIEW_PX), workers, len(rows), feedback) as team:
+        team.begin([row.path for row in rows], progress)
+        for index, row in enumerate(rows):
+            checkpoint(progress, index / len(rows))
+            announce(feedback, row.name, index, len(rows))
+            try:
+                found = team.take(progress).result()
+            except (PhotoError, MissingPackageError) as error:
+                warn(feedback, row.name, error.message)
+                continue
+            yield row, found
+    checkpoint(progress, 1.0)
 
 
 def pixels_of(found):

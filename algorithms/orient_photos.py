@@ -14,6 +14,7 @@ from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
     add_field_parameters,
+    add_joint_parameter,
     add_lens_parameter,
     add_terrain_parameters,
     options_of,
@@ -31,6 +32,10 @@ from .shared.previews import Previews, preview_specs
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
+from .shared.workers import add_workers_parameter
+
+SHARE = (0.0, 0.95)
+"""The orientations' share of the progress bar."""
 
 
 class OrientPhotos(DemAlgorithm):
@@ -87,6 +92,8 @@ class OrientPhotos(DemAlgorithm):
         add_rescue_parameters(self)
         add_altitude_parameter(self)
         add_lens_parameter(self)
+        add_joint_parameter(self)
+        add_workers_parameter(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
         self.addParameter(orientations_out())
@@ -107,10 +114,14 @@ class OrientPhotos(DemAlgorithm):
         rehearse(self, parameters, "OUTPUT", context, (fields, source.wkbType(), source.sourceCrs()))
         placing = Placing(source.wkbType(), source.sourceCrs(), context)
         features, statuses = [], []
+        workers = self.parameterAsInt(parameters, "WORKERS", context)
+        joint = self.parameterAsBoolean(parameters, "JOINT", context)
         folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
         report = PhotoReport(self, parameters, context, len(rows))
         with report, Previews(parameters, context) as previews:
-            oriented_photos = orient_each(requests, self.dem.open(), options, feedback, folder, (0.0, 0.95))
+            oriented_photos = orient_each(
+                requests, self.dem.open(), options, feedback, folder, SHARE, workers=workers, joint=joint
+            )
             for row, oriented in zip(rows, oriented_photos):
                 place = placing.of(row, oriented)
                 features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))

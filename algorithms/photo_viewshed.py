@@ -17,6 +17,7 @@ from .shared.kept_orientations import orientations_out
 from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
+    add_joint_parameter,
     add_lens_parameter,
     options_of,
     orient_each,
@@ -40,6 +41,7 @@ from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
 from .shared.visibility import add_range_parameters, range_fault, viewshed_options
+from .shared.workers import add_workers_parameter
 
 SHARE = (0.0, 0.95)
 ORIENTATION_PART = 0.8
@@ -123,6 +125,8 @@ class PhotoViewshed(DemAlgorithm):
         add_rescue_parameters(self)
         add_altitude_parameter(self)
         add_lens_parameter(self)
+        add_joint_parameter(self)
+        add_workers_parameter(self)
         self._add_outputs()
 
     def _add_outputs(self):
@@ -178,6 +182,8 @@ class PhotoViewshed(DemAlgorithm):
         rehearse(self, parameters, "OUTPUT", context, (photos.fields, photos.wkb_type, photos.crs))
         placing = Placing(photos.wkb_type, photos.crs, context)
         features, statuses = [], []
+        workers = self.parameterAsInt(parameters, "WORKERS", context)
+        joint = self.parameterAsBoolean(parameters, "JOINT", context)
         # Evaluated once: each evaluation of a temporary folder returns a different one.
         names = ("RASTERS", "FIGURES", "ORIENTATIONS")
         folders = {name: self.parameterAsString(parameters, name, context) for name in names}
@@ -188,7 +194,7 @@ class PhotoViewshed(DemAlgorithm):
             view = self._view_of(parameters, context, viewer, options.method, len(photos.rows))
             figures = ResultFigures(dem, folders["FIGURES"], stations_of(photos.rows), feedback, bool(report.path))
             oriented_photos = orient_each(
-                requests, dem, options, feedback, folders["ORIENTATIONS"], SHARE, ORIENTATION_PART
+                requests, dem, options, feedback, folders["ORIENTATIONS"], SHARE, ORIENTATION_PART, workers, joint
             )
             for row, oriented in zip(photos.rows, oriented_photos):
                 place = placing.of(row, oriented)

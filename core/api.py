@@ -19,15 +19,15 @@ import numpy as np
 from .base.camera import Camera, Pose, focal_of_fov_px
 from .base.errors import Cancelled, PhotoError, SkylineViewshedError, TerrainError
 from .base.imaging import shrink_to
-from .base.messages import Message
-from .base.model import HorizonProfile, Orientation, OrientedPhoto, Photo, PhotoMetadata
+from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.optional import require
 from .base.posed import PosedPhoto
-from .base.progress import Progress, ProgressLike, as_progress, subtask
+from .base.progress import Progress, ProgressLike, as_progress
 from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
 from .batch import PREVIEW_PX, HorizonCache, LandmarkHint, PhotoRequest, orient_request
+from .cluster import cluster_outcomes
 from .figures.notebook import photo_html
 from .figures.overlay import overlay_image
 from .horizon import horizon as horizons
@@ -35,6 +35,7 @@ from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
 from .io.whole_file import ReportFile
+from .many import OrientJob, fallen, look_again, outcomes_of
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
@@ -185,6 +186,7 @@ def orient(
     return _orient(photo, dem, chosen, HorizonCache(), as_progress(progress), facts)
 
 
+# parameters: each is a name that callers write; a Dask client alone says where the work is done
 def orient_many(
     photos: PathLike | Iterable[PhotoLike],
     dem: DemLike,
@@ -193,15 +195,24 @@ def orient_many(
     compass: str | None = None,
     options: OrientOptions | None = None,
     progress: ProgressLike = None,
+    workers: int = 1,
+    client: Any = None,
+    joint: bool = False,
     **facts: Any,
 ) -> Iterator[OrientedPhoto]:
-    """Orient one photograph after the other; photographs of one station share its horizon.
+    """Orient many photographs; photographs of one station share its horizon.
 
     Parameters
     ----------
     photos : folder, or iterable of what `orient` takes
     dem, method, compass, options, progress, **facts
         As for `orient`; `progress` covers the whole run, and facts hold for all photographs.
+    workers : int
+        Processes: 1 is this one, 0 all cores but one as far as memory allows. The answers are the same.
+    client : dask.distributed.Client or None
+        Does the work on a Dask cluster, whose workers must reach the files by the same paths. See docs/scale.md.
+    joint : bool
+        Let accepted photographs help the others of their walk; all results stay in memory (3 MB each) until the end.
 
     Yields
     ------
@@ -215,20 +226,27 @@ def orient_many(
     >>> [round(p.heading_deg) for p in orient_many(pixels, dem, longitude_deg=8.0, latitude_deg=46.5, hfov_deg=60)]
     [290, 300]
     """
-    chosen, whole, cache = _options(method, compass, options), as_progress(progress), HorizonCache()
-    listed = _listed(photos)
-    for index, photo in enumerate(listed):
-        part = subtask(whole, index / len(listed), (index + 1) / len(listed))
-        try:
-            yield _orient(photo, dem, chosen, cache, part, facts)
-        except (TerrainError, TypeError):
-            raise
-        except Exception as error:  # our own fault, but no reason to lose the other photographs
-            logging.getLogger(__name__).exception("%s", _path(photo))
-            text = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
-            notes = (f"{type(error).__name__}: {error}",)
-            yield OrientedPhoto(_path(photo), Orientation("failed", text, notes=notes))
+    chosen, whole, listed = _options(method, compass, options), as_progress(progress), _listed(photos)
+    job = OrientJob(dem, chosen)
+    tasks = [_task(photo, chosen, facts) for photo in listed]
+    outcomes = cluster_outcomes(client, job, tasks, whole) if client else outcomes_of(job, tasks, whole, workers)
+    answers = _answers(outcomes, listed)
+    together = look_again(job, tasks, list(answers), whole, workers) if joint else answers
+    for index, oriented in enumerate(together):
+        yield _in_python(oriented)
         whole.report((index + 1) / len(listed))
+
+
+def _answers(outcomes: Iterable[Any], listed: list[PhotoLike]) -> Iterator[OrientedPhoto]:
+    for index, outcome in enumerate(outcomes):
+        if isinstance(outcome.error, (TerrainError, TypeError)):
+            raise outcome.error
+        if outcome.error is None:
+            yield outcome.value
+        else:  # our own fault, but no reason to lose the other photographs
+            path = _path(listed[index])
+            logging.getLogger(__name__).error("%s\n%s", path, outcome.details, exc_info=outcome.error)
+            yield fallen(path, outcome.error, (f"{type(outcome.error).__name__}: {outcome.error}",))
 
 
 def horizon_profile(
@@ -493,9 +511,17 @@ def _options(method: str | None, compass: str | None, options: OrientOptions | N
 def _orient(
     photo: PhotoLike, dem: DemLike, options: OrientOptions, cache: HorizonCache, progress: Progress, facts: dict
 ) -> OrientedPhoto:
-    taken = _taken(photo, None if options.method == "paper" else PREVIEW_PX)
+    request, taken = _task(photo, options, facts)
+    return _in_python(orient_request(request, dem, options, cache, progress, taken))
+
+
+def _task(photo: PhotoLike, options: OrientOptions, facts: dict) -> tuple[PhotoRequest, Photo | None]:
     request = replace(photo, **facts) if isinstance(photo, PhotoRequest) else PhotoRequest(_path(photo), **facts)
-    oriented = orient_request(request, dem, options, cache, progress, taken)
+    return request, _taken(photo, None if options.method == "paper" else PREVIEW_PX)
+
+
+def _in_python(oriented: OrientedPhoto) -> OrientedPhoto:
+    """Name this module's arguments in the message, in place of the parameters of QGIS algorithms."""
     message = oriented.message
     for theirs, ours in IN_PYTHON.items():
         message = message.replace(theirs, ours)

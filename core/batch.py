@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .base import imaging
+from .base.blas import one_blas_thread
 from .base.camera import FOCAL_SIGMA, folds
 from .base.curvature import apparent_drop_m
 from .base.declination import declination_deg
@@ -132,9 +133,10 @@ def orient_request(request, dem, options=OrientOptions(), cache=None, progress=S
         The DEM as a whole cannot be used.
     """
     try:
-        if photo is None:
-            photo = read_photo(request.path, None if options.method == "paper" else PREVIEW_PX)
-        return _orient(request, photo, dem, options, cache or HorizonCache(), progress)
+        with one_blas_thread():
+            if photo is None:
+                photo = read_photo(request.path, None if options.method == "paper" else PREVIEW_PX)
+            return _orient(request, photo, dem, options, cache or HorizonCache(), progress)
     except (PhotoError, MissingPackageError) as error:
         return OrientedPhoto(request.path, Orientation("failed", error.message))
 

@@ -1,12 +1,11 @@
 """The command line: `skyline-viewshed orient PHOTOS DEM -o photos.gpkg`, for servers and scripts without QGIS.
 
-All work is done through `core.api`.
+All work is done through `core.api`, and for many photographs `core.cluster`.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
 import logging
 import os
 import signal
@@ -14,13 +13,17 @@ import sys
 from collections import Counter, deque
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 from . import api
 from .base.errors import Cancelled, SkylineViewshedError
 from .base.optional import require
 from .base.status import RELIABLE
 from .base.terminal import Bar, Quietly
+from .cluster import RowsOfChunk, rows_with_files
+from .io.horizon_table import write_horizon
+from .io.whole_file import check_folder, unused_name
+from .many import OrientJob
 from .pipeline import COMPASS_USES, METHODS
 
 PROGRAM = "skyline-viewshed"
@@ -76,11 +79,9 @@ class Run:
     """Orients the photographs one by one; on the way it collects their rows and writes their viewsheds."""
 
     def __init__(self, given: argparse.Namespace, bar: Bar) -> None:
-        self.given, self.bar, self.dem = given, bar, api.open_dem(given.dem, given.band, None, given.dem_unit)
+        self.given, self.bar, self.dem = given, bar, _dem(given)
         self.paths = _photos(given.photos, given.recursive)
-        self.options = api.OrientOptions(
-            given.method, given.compass, horizon=api.HorizonOptions(max_distance_m=given.max_distance)
-        )
+        self.options = _options(given)
         self.statuses: Counter[str] = Counter()
         self.rows: list[Any] = []
         self._stems: set[str] = set()
@@ -96,7 +97,10 @@ class Run:
         if doubt:
             self.bar.say(f"{PROGRAM}: {_in_options(doubt)}", always=True)
         self.bar.label = f"of {len(self.paths)} photos"
-        photos = api.orient_many(self.paths, self.dem, options=self.options, progress=self.bar, **_facts(self.given))
+        photos = api.orient_many(
+            self.paths, self.dem, options=self.options, progress=self.bar, workers=self.given.workers,
+            client=_client(self.given), joint=self.given.joint, **_facts(self.given),
+        )  # fmt: skip
         for number, photo in enumerate(photos, start=1):
             self.statuses[photo.status] += 1
             self.rows.append(photo_row(photo, self.given.max_distance))
@@ -114,7 +118,7 @@ class Run:
             yield photo
 
     def _write_viewshed(self, photo: api.OrientedPhoto) -> None:
-        stem = _unused(Path(photo.path).stem, self._stems)
+        stem = unused_name(Path(photo.path).stem, self._stems)
         options = api.ViewshedOptions(max_distance_m=self.given.viewshed_distance)
         try:
             seen = api.viewshed(self.dem, photo, options=options, progress=Quietly(self.bar))
@@ -131,7 +135,9 @@ def orient(given: argparse.Namespace, bar: Bar) -> int:
 
     driver_of(given.output)
     for path in filter(None, (given.output, given.report)):
-        _check_folder(path)
+        check_folder(path)
+    if given.results:
+        return _orient_in_chunks(given, bar)
     run = Run(given, bar)
     if given.viewsheds:
         given.viewsheds.mkdir(parents=True, exist_ok=True)
@@ -141,39 +147,54 @@ def orient(given: argparse.Namespace, bar: Bar) -> int:
     else:
         deque(run, maxlen=0)
     write_points(given.output, point_fields(), run.rows)
-    counts = ", ".join(f"{count} {status}" for status, count in sorted(run.statuses.items()))
-    bar.say(f"{len(run.rows)} photos: {counts}. Written to {given.output}.")
-    return SOME_FAILED if run.statuses["failed"] else ANSWERED
+    return _summed_up(run.statuses, given, bar)
+
+
+def _summed_up(statuses: Counter[str], given: argparse.Namespace, bar: Bar) -> int:
+    counts = ", ".join(f"{count} {status}" for status, count in sorted(statuses.items()))
+    bar.say(f"{sum(statuses.values())} photos: {counts}. Written to {given.output}.")
+    return SOME_FAILED if statuses["failed"] else ANSWERED
+
+
+def _orient_in_chunks(given: argparse.Namespace, bar: Bar) -> int:
+    """Orient so many photographs that only their points are kept, and go on where an earlier run ended."""
+    if given.report or given.viewsheds or given.joint:
+        raise ValueError("--results keeps the points only; leave out --report, --viewsheds and --joint, or --results")
+    from .io.vector import point_fields, write_points
+
+    work = RowsOfChunk(OrientJob(_dem(given), _options(given)), given.max_distance)
+    tasks = [(api.PhotoRequest(path, **_facts(given)), None) for path in _photos(given.photos, given.recursive)]
+    rows = list(rows_with_files(work, tasks, given.results, _client(given), given.workers, bar))
+    write_points(given.output, point_fields(), rows)
+    return _summed_up(Counter(str(row.values["status"]) for row in rows), given, bar)
+
+
+def _client(given: argparse.Namespace) -> Any:
+    return require("distributed", "Working on a Dask cluster").Client(given.scheduler) if given.scheduler else None
+
+
+def _options(given: argparse.Namespace) -> api.OrientOptions:
+    return api.OrientOptions(given.method, given.compass, api.HorizonOptions(max_distance_m=given.max_distance))
+
+
+def _dem(given: argparse.Namespace) -> Any:
+    return api.open_dem(given.dem, given.band, None, given.dem_unit)
 
 
 def horizon(given: argparse.Namespace, bar: Bar) -> int:
     """Write the horizon of a place as CSV."""
     if given.output:
-        _check_folder(given.output)
+        check_folder(given.output)
     place = api.Observer(given.longitude, given.latitude, given.eye_height, given.eye_elevation)
     options = api.HorizonOptions(max_distance_m=given.max_distance)
-    found = api.horizon_profile(api.open_dem(given.dem, given.band, None, given.dem_unit), place, options, bar)
-    rows = zip(found.azimuth_deg, found.elevation_deg, found.distance_m)
-    if not given.output:
-        _write_horizon(sys.stdout, rows)
-        return ANSWERED
-    from .io.whole_file import staged
-
-    with staged(given.output) as folder, open(folder / given.output.name, "w", newline="", encoding="utf-8") as table:
-        _write_horizon(table, rows)
+    write_horizon(api.horizon_profile(_dem(given), place, options, bar), given.output, sys.stdout)
     return ANSWERED
-
-
-def _write_horizon(table: TextIO, rows: Iterator[tuple[float, float, float]]) -> None:
-    writer = csv.writer(table, lineterminator="\n")
-    writer.writerow(["azimuth_deg", "elevation_deg", "distance_m"])
-    writer.writerows([f"{a:.4f}", f"{e:.5f}", f"{d:.1f}"] for a, e, d in rows)
 
 
 def viewshed(given: argparse.Namespace, bar: Bar) -> int:
     """Write the ground seen from a place as a GeoTIFF."""
-    _check_folder(given.output)
-    dem = api.open_dem(given.dem, given.band, None, given.dem_unit)
+    check_folder(given.output)
+    dem = _dem(given)
     place = api.Observer(given.longitude, given.latitude, given.eye_height, given.eye_elevation)
     sector = None if given.heading is None else api.Wedge(given.heading, given.hfov or 60.0)
     options = api.ViewshedOptions(max_distance_m=given.max_distance, target_height_m=given.target_height)
@@ -199,21 +220,6 @@ def _photos(given: Sequence[str], recursive: bool) -> list[str]:
     if not paths:
         raise ValueError(f"no photograph (JPEG, HEIC) lies in {', '.join(given)}; try --recursive or another folder")
     return paths
-
-
-def _check_folder(path: Path) -> None:
-    """Refuse before a long run what could not be written after it."""
-    folder = path.parent
-    if not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise ValueError(f"{path} cannot be written: the folder {folder} does not exist or is read-only")
-
-
-def _unused(stem: str, taken: set[str]) -> str:
-    name, number = stem, 2
-    while name.lower() in taken:
-        name, number = f"{stem}_{number}", number + 1
-    taken.add(name.lower())
-    return name
 
 
 def _in_options(message: str) -> str:
@@ -243,21 +249,17 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_orient(commands: Any) -> None:
+    text = "Orient photographs by their skylines, and write points with headings, intervals and messages."
+    plain = argparse.RawDescriptionHelpFormatter
     parser = commands.add_parser(
-        "orient",
-        help="orient photographs",
-        description="Orient photographs by their skylines, and write points with headings, intervals and messages.",
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "orient", help="orient photographs", description=text, epilog=EXAMPLES, formatter_class=plain
     )
     parser.set_defaults(run=orient)
     parser.add_argument("photos", nargs="+", metavar="PHOTOS", help="photographs, or folders of them")
     parser.add_argument("dem", metavar="DEM", help="elevation model, any raster that GDAL reads")
-    parser.add_argument("-o", "--output", type=Path, required=True, help="points: .gpkg, .geojson or .csv")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="points: .gpkg, .geojson, .csv or .parquet")
     parser.add_argument("--report", type=Path, metavar="HTML", help="write a report with figures")
-    parser.add_argument(
-        "--viewsheds", type=Path, metavar="FOLDER", help="write the ground in view, a GeoTIFF per photo"
-    )
+    parser.add_argument("--viewsheds", type=Path, metavar="FOLDER", help="the ground in view, a GeoTIFF per photo")
     parser.add_argument("--doubtful", action="store_true", help="also viewsheds of photos that were not accepted")
     parser.add_argument("--recursive", action="store_true", help="include the folders inside folders")
     parser.add_argument("--method", choices=METHODS, default="robust", help="default: robust")
@@ -265,11 +267,13 @@ def _add_orient(commands: Any) -> None:
     parser.add_argument("--position", type=float, nargs=2, metavar=("LON", "LAT"), help="of photos without GPS")
     parser.add_argument("--hfov", type=float, metavar="DEG", help="horizontal field of view, for all photos")
     parser.add_argument("--focal-length-35mm", type=float, metavar="MM", help="35 mm equivalent, for all photos")
+    parser.add_argument("--workers", type=int, default=0, metavar="N", help="processes (default: all cores but one)")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster that does the work (tcp://...)")
+    parser.add_argument("--results", type=Path, metavar="FOLDER", help="chunks, from which a repeated run goes on")
+    parser.add_argument("--joint", action="store_true", help="let accepted photos help the others of their walk")
     parser.add_argument("--use-altitude", action="store_true", help="put the eye at the recorded altitude")
-    parser.add_argument(
-        "--viewshed-distance", type=float, default=api.ViewshedOptions().max_distance_m, metavar="M",
-        help="range of viewsheds (default: %(default)g)",
-    )  # fmt: skip
+    far, text = api.ViewshedOptions().max_distance_m, "range of viewsheds (default: %(default)g)"
+    parser.add_argument("--viewshed-distance", type=float, default=far, metavar="M", help=text)
     _add_common(parser, api.HorizonOptions())
 
 
@@ -280,9 +284,7 @@ def _add_place(commands: Any, name: str, text: str, run: Any, defaults: Any) -> 
     parser.add_argument("longitude", type=float, metavar="LON", help="WGS 84")
     parser.add_argument("latitude", type=float, metavar="LAT", help="WGS 84")
     needed = name == "viewshed"
-    parser.add_argument(
-        "-o", "--output", type=Path, required=needed, help=".tif" if needed else ".csv (default: stdout)"
-    )
+    parser.add_argument("-o", "--output", type=Path, required=needed, help=".tif" if needed else ".csv, else stdout")
     _add_common(parser, defaults)
     return parser
 
@@ -292,9 +294,7 @@ def _add_common(parser: argparse.ArgumentParser, defaults: Any) -> None:
     parser.add_argument("--dem-unit", metavar="UNIT", help="of the heights: feet, dm, ... or metres per unit")
     parser.add_argument("--eye-height", type=float, default=1.7, metavar="M", help="above the DEM (default: 1.7)")
     parser.add_argument("--eye-elevation", type=float, metavar="M", help="absolute, in place of the eye height")
-    parser.add_argument(
-        "--max-distance", type=float, default=defaults.max_distance_m, metavar="M",
-        help="search range (default: %(default)g)",
-    )  # fmt: skip
+    text = "search range (default: %(default)g)"
+    parser.add_argument("--max-distance", type=float, default=defaults.max_distance_m, metavar="M", help=text)
     parser.add_argument("--log", metavar="FILE", help="write the details of unexpected errors")
     parser.add_argument("-q", "--quiet", action="store_true", help="say only what went wrong")

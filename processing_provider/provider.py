@@ -17,6 +17,7 @@ PROVIDER_ID = "skylineviewshed"
 ALGORITHMS = (
     ("photo_viewshed", "PhotoViewshed"),
     ("import_photos", "ImportPhotos"),
+    ("position_photos", "PositionPhotos"),
     ("extract_skyline", "ExtractSkyline"),
     ("horizon_profile", "HorizonProfile"),
     ("orient_photos", "OrientPhotos"),

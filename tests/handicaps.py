@@ -179,6 +179,7 @@ def inputs():
     offsets = layer("NoGeometry", offsets, [(None, ["a", 100, 200, 150, 190, 1000, 500, 60.0, 30.0])])
     return {
         "importphotos": {"FOLDER": str(SCENE / "odd")},
+        "positionphotos": {"FOLDER": str(SCENE / "odd"), "TRACK": track()},
         "orientphotos": {"INPUT": points, "DEM": scene["dem"]},
         "photoviewshed": {"FOLDER": scene["folder"], "DEM": scene["dem"], "MAX_DISTANCE": 3000},
         "directedviewshed": common,
@@ -195,6 +196,11 @@ def inputs():
         "photocoverage": common,
         "whichphotos": {**common, "PLACES": ahead, "NAME_FIELD": "name"},
     }
+
+
+def track():
+    """Line of a walk; its M values are seconds since 1970."""
+    return layer("LineStringM?crs=EPSG:4326", [], [("LineStringM (8 46.5 0, 8.1 46.5 3600)", [])])
 
 
 def layer(kind, fields, rows):

@@ -33,22 +33,43 @@ class KeptOrientations:
     """
 
     def __init__(self, folder, feedback):
-        self.folder, self.feedback, self._taken = folder, feedback, set()
+        self.folder, self.feedback, self._taken, self._files = folder, feedback, set(), {}
 
-    def orient(self, request, dem, options, cache, progress):
-        """Return the `OrientedPhoto` of a request; see `core.batch.orient_request`."""
-        from ...core.batch import orient_request
-        from ...core.io.orientation_file import orientation_mark, packed, unpacked
+    def is_missing(self, request, dem, options):
+        """Tell whether a request must be oriented: no file of an earlier run holds its result."""
+        from ...core.io.orientation_file import holds, orientation_mark
 
         if not self.folder:
-            return orient_request(request, dem, options, cache, progress)
+            return True
         path = Path(self.folder) / f"{unused(Path(request.path).stem, self._taken)}.npz"
         mark = orientation_mark(request, dem, options)
-        oriented = unpacked(path, mark)
-        if oriented is not None:
-            self.feedback.pushInfo(tr("{name}: taken from {path}").format(name=Path(request.path).name, path=path))
-            return oriented
-        oriented = orient_request(request, dem, options, cache, progress)
+        self._files[id(request)] = path, mark, holds(path, mark)
+        return not self._files[id(request)][2]
+
+    def orient(self, request, team, progress):
+        """Return the `OrientedPhoto` of a request from its file, or else the next that the team has oriented."""
+        from ...core.io.orientation_file import packed, unpacked
+
+        if not self.folder:
+            return oriented_by(team, progress)
+        path, mark, held = self._files[id(request)]
+        if held:
+            oriented = unpacked(path, mark)
+            if oriented is not None:
+                text = tr("{name}: taken from {path}").format(name=Path(request.path).name, path=path)
+                self.feedback.pushInfo(text)
+                return oriented
+            oriented = team.job()((request, None), progress)  # its tree is whole, its arrays are not
+        else:
+            oriented = oriented_by(team, progress)
         if oriented.orientation.status != "failed":
             write_whole(path, packed(oriented, mark))
         return oriented
+
+
+def oriented_by(team, progress):
+    """Next result of a team; raises what the computation raised, with the text of its traceback as `details`."""
+    outcome = team.take(progress)
+    if outcome.error is not None and outcome.details:
+        outcome.error.details = outcome.details
+    return outcome.result()

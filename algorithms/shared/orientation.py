@@ -20,10 +20,13 @@ from .oriented import oriented_specs, oriented_values
 from .photo_points import lens_of
 from .rescue import Rescue
 from .run_log import RunLog
+from .workers import team_for
 
-NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD")
+NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD", "POSITION_ERROR_FIELD")
 LENS_FIELDS = ("hfov", "vfov")
 DEFAULT_TOLERANCE_DEG = 20.0
+JOINT_PART = 0.7
+"""Share of the progress bar at which all photographs have been oriented alone."""
 
 
 def add_field_parameters(algorithm):
@@ -46,6 +49,19 @@ def add_field_parameters(algorithm):
                 "HEIGHT_FIELD",
                 tr("Field with the camera's elevation (m)"),
                 tr("Absolute elevation of the camera in the DEM's height system. NULL: DEM plus camera height."),
+            )
+        )
+    )
+    algorithm.addParameter(
+        shared.advanced(
+            shared.number_field(
+                "POSITION_ERROR_FIELD",
+                tr("Field with the error of the position (m)"),
+                tr(
+                    "Standard deviation, as Position photos from a track writes it. NULL: a few metres, as GPS has "
+                    "in the open."
+                ),
+                "pos_err",
             )
         )
     )
@@ -137,55 +153,90 @@ def request_of(row, rescue, usual):
         eye_elevation_m=row.numbers.get("HEIGHT_FIELD"),
         **{**usual, **({} if hfov_deg is None else {"hfov_deg": hfov_deg})},
         **lens_of(row.feature),
+        position_error_m=row.numbers.get("POSITION_ERROR_FIELD"),
         heading_deg=row.numbers.get("HEADING_HINT_FIELD"),
         heading_tolerance_deg=DEFAULT_TOLERANCE_DEG if tolerance is None else tolerance,
         **rescue.of(row.path),
     )
 
 
-def orient_each(requests, dem, options, feedback, folder="", share=(0.0, 1.0), part_of_photo=1.0):
-    """Orient one request after another and yield each `OrientedPhoto`.
+# parameters: the loop of two algorithms, which differ in all of them
+def orient_each(
+    requests, dem, options, feedback, folder="", share=(0.0, 1.0), part_of_photo=1.0, workers=1, joint=False
+):
+    """Orient one request after another, here or in worker processes, and yield each `OrientedPhoto` in order.
 
     `folder` is that of `KeptOrientations`, `share` is the loop's share of the progress bar, and `part_of_photo` is the
     orientation's part of each photo's share.
 
     A photo's fault becomes a status and a warning; cancelling reports how far the run came and raises `Cancelled`.
     """
-    from ...core.batch import HorizonCache, doubt_of_heights
+    from ...core.batch import doubt_of_heights
+    from ...core.many import OrientJob, station_of
 
+    if joint:
+        yield from _oriented_together(requests, dem, options, feedback, folder, share, workers)
+        return
     doubt = doubt_of_heights([request for request in requests if request is not None], dem)
     if doubt is not None:
         feedback.pushWarning(in_users_language(doubt))
-    cache, progress = HorizonCache(), subtask(FeedbackProgress(feedback), *share)
+    progress, count = subtask(FeedbackProgress(feedback), *share), len(requests)
     kept, told = KeptOrientations(folder, feedback), RunLog(feedback, len(requests))
-    for index, request in enumerate(requests):
-        name = tr("A point without a photo") if request is None else Path(request.path).name
-        told.start(name)
-        part = subtask(progress, index / len(requests), (index + part_of_photo) / len(requests))
-        try:
-            oriented = without_photo() if request is None else kept.orient(request, dem, options, cache, part)
-        except (TerrainError, OutputError):
-            raise
-        except Exception:  # a fault of ours, but no reason to lose the other photographs
-            oriented = unforeseen(request, feedback)
-        except Cancelled:
-            feedback.pushWarning(
-                tr("Cancelled after {done} of {count} photos.").format(done=index, count=len(requests))
-            )
-            raise
-        told.answer(name, oriented.orientation)
-        yield oriented
+    missing = [request for request in requests if request is not None and kept.is_missing(request, dem, options)]
+    with team_for(OrientJob(dem, options), workers, len(missing), feedback) as team:
+        tasks = [(request, None) for request in missing]
+        team.begin(tasks, progress, [station_of(request) for request in missing])
+        for index, request in enumerate(requests):
+            name = tr("A point without a photo") if request is None else Path(request.path).name
+            told.start(name)
+            part = subtask(progress, index / count, (index + part_of_photo) / count)
+            try:
+                oriented = without_photo() if request is None else kept.orient(request, team, part)
+            except (TerrainError, OutputError):
+                raise
+            except Exception as error:  # a fault of ours, but no reason to lose the other photographs
+                oriented = unforeseen(request, error, feedback)
+            except Cancelled:
+                feedback.pushWarning(tr("Cancelled after {done} of {count} photos.").format(done=index, count=count))
+                raise
+            told.answer(name, oriented.orientation)
+            yield oriented
     told.end()
     checkpoint(progress, 1.0)
 
 
-def unforeseen(request, feedback):
-    """Make the result for a photo on which the program itself failed; the log gets the details."""
-    from ...core.base.model import Orientation, OrientedPhoto
+def _oriented_together(requests, dem, options, feedback, folder, share, workers):
+    """Orient all photographs alone, then let those that were accepted help the others."""
+    from ...core.many import OrientJob, look_again
 
-    feedback.pushDebugInfo(traceback.format_exc())
-    text = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
-    return OrientedPhoto(request.path, Orientation("failed", text))
+    middle = share[0] + JOINT_PART * (share[1] - share[0])
+    photos = list(orient_each(requests, dem, options, feedback, folder, (share[0], middle), workers=workers))
+    feedback.setProgressText(tr("Photographs that help one another"))
+    progress = subtask(FeedbackProgress(feedback), middle, share[1])
+    together = look_again(OrientJob(dem, options), [(request, None) for request in requests], photos, progress, workers)
+    helped = sum(before is not after for before, after in zip(photos, together))
+    feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=helped))
+    yield from together
+    checkpoint(progress, 1.0)
+
+
+def add_joint_parameter(algorithm):
+    """Declare whether the photographs of a walk are oriented together."""
+    parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False, optional=True)
+    text = tr(
+        "Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned "
+        "(needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not "
+        "change. All results stay in memory until the end, about 3 MB per photo."
+    )
+    algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
+
+
+def unforeseen(request, error, feedback):
+    """Make the result for a photo on which the program itself failed; the log gets the details."""
+    from ...core.many import fallen
+
+    feedback.pushDebugInfo(getattr(error, "details", "") or traceback.format_exc())
+    return fallen(request.path, error)
 
 
 def without_photo():

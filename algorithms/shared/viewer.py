@@ -14,12 +14,7 @@ from .outputs import make_folder_of, unused
 from .photo_points import PhotoPoint
 from .styling import dress_file
 from .visibility import sector_of
-
-PACKED_CELLS = 500_000_000
-"""Viewsheds of more cells than this are held at two bits per cell."""
-
-SHARED_CELLS = 100_000_000
-"""Photos from one place are swept together in windows of up to this many cells, each of which then takes four bytes."""
+from .workers import team_for
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,31 +45,53 @@ class Viewer:
     """
 
     def __init__(self, dem, kind, options, feedback, folder=""):
-        self.dem, self.kind, self.options = dem, kind, options
+        self.dem, self.kind, self.options, self._team = dem, kind, options, None
         self.feedback, self.folder, self._stems, self._taken_stems = feedback, folder, {}, set()
 
-    def each(self, points, share=(0.0, 1.0)):
-        """Yield (point, viewshed), each complete before the next; photos from one place come together."""
+    def each(self, points, share=(0.0, 1.0), workers=1):
+        """Yield (point, viewshed), each complete before the next; photos from one place come together.
+
+        `workers` is the number of processes; see `core.workers.interpreter.worker_count`.
+        """
+        from ...core.many import ViewshedJob
+
         progress, done = subtask(FeedbackProgress(self.feedback), *share), 0
-        for group in stations(points):
-            part = subtask(progress, done / len(points), (done + len(group)) / len(points))
-            jobs = [job for job in map(self._job, group) if job is not None]
-            results = self._work(jobs, part)
-            end = done + len(group)
-            try:
-                for job in jobs:
-                    announce(self.feedback, job.point.name, done, len(points))
-                    found = next(results)
-                    done += 1
-                    if found is not None:
-                        yield job.point, found
-            except Cancelled:
-                self.feedback.pushWarning(
-                    tr("Cancelled after {done} of {count} viewsheds.").format(done=done, count=len(points))
-                )
-                raise
-            done = end
+        groups = [[job for job in map(self._job, group) if job is not None] for group in stations(points)]
+        tasks = [(jobs[0].point.observer, sectors_of(jobs)) for jobs in map(self._missing, groups) if jobs]
+        workers = 1 if self._is_large(tasks) else workers
+        with team_for(ViewshedJob(self.dem, self.options), workers, len(tasks), self.feedback) as team:
+            if not team.alone:
+                self._team = team
+                team.begin(tasks, progress)
+            for group, jobs in zip(stations(points), groups):
+                part = subtask(progress, done / len(points), (done + len(group)) / len(points))
+                yield from self._of_group(jobs, done, len(points), part)
+                done += len(group)
         checkpoint(progress, 1.0)
+
+    def _of_group(self, jobs, done, count, progress):
+        results, finished = self._work(jobs, progress), 0
+        try:
+            for job in jobs:
+                announce(self.feedback, job.point.name, done + finished, count)
+                found = next(results)
+                finished += 1
+                if found is not None:
+                    yield job.point, found
+        except Cancelled:
+            text = tr("Cancelled after {done} of {count} viewsheds.")
+            self.feedback.pushWarning(text.format(done=done + finished, count=count))
+            raise
+
+    def _is_large(self, tasks):
+        """Tell whether a viewshed has so many cells that handing it from process to process would not pay."""
+        from ...core.base.errors import ObserverError
+        from ...core.viewshed.station import SHARED_CELLS, cells_at
+
+        try:
+            return bool(tasks) and cells_at(self.dem, tasks[0][0], tasks[0][1], self.options) > SHARED_CELLS
+        except ObserverError:
+            return False
 
     def view(self, point, progress):
         """Return one viewshed, or warn and return None."""
@@ -106,10 +123,8 @@ class Viewer:
 
     def _work(self, jobs, progress):
         """Yield the viewshed of each job at one place, or warn and yield None."""
-        from ...core.io.viewshed_raster import stored_facts
-
-        missing = [job for job in jobs if job.path is None or stored_facts(job.path, job.mark) is None]
-        fresh, fault = self._sweep(missing, progress), None
+        missing = self._missing(jobs)
+        fresh, fault = self._from_team() if self._team and missing else self._sweep(missing, progress), None
         for job in jobs:
             found = None if job in missing else self._taken(job)
             if found is None and fault is None:
@@ -122,23 +137,22 @@ class Viewer:
                 warn(self.feedback, job.point.name, fault.message)
             yield found
 
-    def _sweep(self, jobs, progress):
-        """Yield the viewsheds of jobs at one place, from one sweep if its window is not too large."""
-        from ...core.viewshed.station import AnyOf, station_viewsheds
-        from ...core.viewshed.viewshed import FRAME_MARGIN, sector_window, viewshed
+    def _missing(self, jobs):
+        """Jobs whose result no earlier run has stored."""
+        from ...core.io.viewshed_raster import stored_facts
 
-        if len(jobs) > 1:
-            place = jobs[0].point.observer
-            reach_m = self.options.max_distance_m
-            frame = self.dem.frame(place.longitude_deg, place.latitude_deg, FRAME_MARGIN * reach_m)
-            sectors = tuple(job.sector for job in jobs)
-            window = sector_window(frame, self.dem.shape, AnyOf(sectors), reach_m)
-            if window.rows * window.cols <= SHARED_CELLS:
-                yield from station_viewsheds(self.dem, place, sectors, self.options, progress)
-                return
-        for index, job in enumerate(jobs):
-            part = subtask(progress, index / len(jobs), (index + 1) / len(jobs))
-            yield viewshed(self.dem, job.point.observer, job.sector, self.options, part, sink_for)
+        return [job for job in jobs if job.path is None or stored_facts(job.path, job.mark) is None]
+
+    def _sweep(self, jobs, progress):
+        """Yield the viewsheds of jobs at one place."""
+        from ...core.viewshed.station import viewsheds_at
+
+        if jobs:
+            yield from viewsheds_at(self.dem, jobs[0].point.observer, sectors_of(jobs), self.options, progress)
+
+    def _from_team(self):
+        """Yield the viewsheds of the jobs at the next place, which another process has computed."""
+        yield from self._team.take(None).result()  # type: ignore[union-attr]
 
     def _keep(self, job, found):
         from ...core.io.viewshed_raster import write_viewshed
@@ -154,6 +168,7 @@ class Viewer:
         from ...core.base.terrain import eye_elevation_m
         from ...core.base.viewed import Viewshed
         from ...core.io.viewshed_raster import read_viewshed
+        from ...core.viewshed.station import sink_for
         from ...core.viewshed.viewshed import FRAME_MARGIN
 
         stored = read_viewshed(job.path, self.dem, job.mark, sink_for)
@@ -168,12 +183,9 @@ class Viewer:
         return Viewshed(window, values, frame, eye_m, self.options, job.sector)
 
 
-def sink_for(window):
-    """Return the object that holds the cells of a window: one byte each, or two bits if there are very many."""
-    from ...core.base.viewed import ArraySink
-    from ...core.viewshed.viewshed import PackedSink
-
-    return (PackedSink if window.rows * window.cols > PACKED_CELLS else ArraySink)(window)
+def sectors_of(jobs):
+    """Sectors of jobs, in order."""
+    return tuple(job.sector for job in jobs)
 
 
 def stations(points):

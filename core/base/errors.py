@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from .messages import Message
 
 
@@ -12,6 +14,17 @@ class SkylineViewshedError(Exception):
     def message(self) -> Message:
         """The `Message`, for the code that translates it; `str(error)` is the plain English sentence."""
         return self.args[0]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle as message and attributes, whatever the arguments of `__init__`: errors cross processes."""
+        return _restored, (type(self), self.args, self.__dict__)
+
+
+def _restored(kind: type[SkylineViewshedError], args: tuple[Any, ...], state: dict[str, Any]) -> SkylineViewshedError:
+    error: SkylineViewshedError = kind.__new__(kind)
+    error.args = args
+    error.__dict__.update(state)
+    return error
 
 
 class PhotoError(SkylineViewshedError):

@@ -27,10 +27,8 @@ class PhotoMetadata:
         Size of the *upright* picture [pixels].
     latitude_deg, longitude_deg : float or None
         WGS 84 position [degrees].
-    altitude_m : float or None
-        GPSAltitude, negative below the sea [m].
-    altitude_reference : str or None
-        'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
+    altitude_m, altitude_reference : float or None, str or None
+        GPSAltitude, negative below the sea [m]; 'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
     focal_length_35mm, focal_length_mm : float or None
         35 mm equivalent of the picture in its present crop, and the real focal length of the lens [mm].
     focal_sigma : float
@@ -43,8 +41,8 @@ class PhotoMetadata:
         'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
         GPSHPositioningError [m].
-    taken_at : datetime or None
-        Local time of the camera.
+    taken_at, utc_offset_s : datetime or None, float or None
+        Local time of the camera, and how much it is ahead of UTC [s].
     camera : str or None
         Make and model.
     notes : tuple of Message
@@ -71,6 +69,7 @@ class PhotoMetadata:
     camera: str | None = None
     notes: tuple[str, ...] = ()
     panorama: bool = False
+    utc_offset_s: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ from .errors import MissingPackageError
 from .messages import Message
 
 PIP_NAMES = {"cv2": "opencv-python-headless", "pillow_heif": "pillow-heif", "exifread": "exifread", "PIL": "Pillow",
-             "osgeo.gdal": '"skyline-viewshed[gdal]"'}  # fmt: skip
+             "osgeo.gdal": '"skyline-viewshed[gdal]"', "distributed": '"skyline-viewshed[dask]"'}  # fmt: skip
 
 
 def available(module: str) -> Any:

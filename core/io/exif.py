@@ -23,6 +23,7 @@ TAGS = {
     ("Image", 0x0131): "Software",
     ("Image", 0x0132): "DateTime",
     ("EXIF", 0x9003): "DateTimeOriginal",
+    ("EXIF", 0x9011): "OffsetTimeOriginal",
     ("EXIF", 0x920A): "FocalLength",
     ("EXIF", 0xA002): "PixelXDimension",
     ("EXIF", 0xA003): "PixelYDimension",
@@ -46,7 +47,8 @@ TAGS = {
 }
 """Names in Exif 2.32 by (directory, number)."""
 
-TEXT_TAGS = {"Make", "Model", "Software", "ProjectionType", "DateTime", "DateTimeOriginal", "GPSStatus"}
+TEXT_TAGS = {"Make", "Model", "Software", "ProjectionType", "DateTime", "DateTimeOriginal",
+             "OffsetTimeOriginal", "GPSStatus"}  # fmt: skip
 TEXT_TAGS |= {name for name in TAGS.values() if name.endswith("Ref")} - {"GPSAltitudeRef"}
 PANORAMA_TAGS = ("ProjectionType", "FullPanoWidthPixels", "CroppedAreaImageWidthPixels")
 """Names in the XMP namespace GPano, which describes stitched panoramas."""

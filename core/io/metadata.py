@@ -7,6 +7,7 @@ References
 
 from __future__ import annotations
 
+import re
 from datetime import datetime
 from math import isfinite
 
@@ -70,6 +71,7 @@ def interpret(tags, width_px, height_px):
         "compass_reference": heading_reference,
         "position_error_m": None if latitude_deg is None else _position_error_m(tags, notes),
         "taken_at": _time(tags),
+        "utc_offset_s": _utc_offset_s(tags),
         "camera": _camera(tags),
         "panorama": panorama,
         "notes": tuple(notes),
@@ -194,6 +196,14 @@ def _time(tags):
         except ValueError:
             continue
     return None
+
+
+def _utc_offset_s(tags):
+    match = re.fullmatch(r"([+-])(\d\d):?(\d\d)", tags.get("OffsetTimeOriginal", "").strip())
+    if match is None or int(match[2]) > 14 or int(match[3]) > 59:
+        return None
+    seconds = 3600.0 * int(match[2]) + 60.0 * int(match[3])
+    return -seconds if match[1] == "-" else seconds
 
 
 def _camera(tags):

@@ -82,6 +82,15 @@ def packed(oriented, mark):
     return target.getvalue()
 
 
+def holds(path, mark):
+    """Tell whether a file has this fingerprint, without reading its arrays; they may still be damaged."""
+    try:
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
+            return json.loads(archive["tree"].tobytes())["mark"] == mark
+    except UNREADABLE:
+        return False
+
+
 def unpacked(path, mark):
     """Read the `OrientedPhoto` of a file that is complete and has this fingerprint; else None."""
     try:

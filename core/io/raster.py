@@ -52,7 +52,8 @@ def open_dem(path, band=1, crs=None, reading=DemReading()):  # noqa: B008 - froz
     ------
     UnusableDemError
     """
-    path, options = split_options(os.fspath(path))
+    source = os.fspath(path)
+    path, options = split_options(source)
     with direct_reading():
         dataset = open_quietly(path, options=options)
     if dataset is None:
@@ -65,7 +66,7 @@ def open_dem(path, band=1, crs=None, reading=DemReading()):  # noqa: B008 - froz
         check_band(path, dataset, band)
         check_colours(path, dataset, band, reading.unit)
         dem = Dem(path, dataset, band, crs_of(path, dataset, crs), reading)
-        dem.zero_is_void = inspect(dem)
+        dem.source, dem.zero_is_void = source, inspect(dem)
     return dem
 
 
@@ -90,6 +91,7 @@ class Dem(Terrain):
 
     def __init__(self, path, dataset, band, crs_wkt, reading):
         self.path, self.band, self.crs_wkt, self.reading = path, band, crs_wkt, reading
+        self.source = path
         self.geotransform = geotransform_of(path, dataset)
         self.shape = dataset.RasterYSize, dataset.RasterXSize
         self._dataset, self._band = dataset, dataset.GetRasterBand(band)
@@ -138,6 +140,10 @@ class Dem(Terrain):
                 values.append(np.zeros(0) if cells is None else cells.astype(float).ravel())
         values = np.concatenate(values)
         return values[np.isfinite(values) & (values != float(self._fill))]
+
+    def __reduce__(self):
+        """Pickle as the path, so that another process opens the file itself."""
+        return open_dem, (self.source, self.band, self.crs_wkt, self.reading)
 
     def __repr__(self):
         rows, cols = self.shape

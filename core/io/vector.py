@@ -20,7 +20,8 @@ from .gdal_quiet import quiet_gdal
 from .photo import read_metadata
 from .whole_file import staged
 
-DRIVERS = {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".csv": "CSV"}
+DRIVERS = {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".csv": "CSV",
+           ".parquet": "Parquet"}  # fmt: skip
 OPTIONS = {"GeoJSON": ["RFC7946=YES", "WRITE_NAME=NO"]}
 WITHOUT_GEOMETRY = {"CSV"}
 """Drivers whose layers take no geometry; from version 3.10 on GDAL refuses features that have one."""
@@ -62,6 +63,8 @@ def driver_of(path: str | os.PathLike) -> str:
     suffix = Path(path).suffix.lower()
     if suffix not in DRIVERS:
         raise ValueError(f"{path} must end in one of {', '.join(DRIVERS)}")
+    if ogr.GetDriverByName(DRIVERS[suffix]) is None:
+        raise ValueError(f"{path}: this GDAL cannot write {DRIVERS[suffix]}; choose .gpkg")
     return DRIVERS[suffix]
 
 

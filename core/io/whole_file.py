@@ -61,6 +61,22 @@ def staged(path):
         shutil.rmtree(stage, ignore_errors=True)
 
 
+def check_folder(path):
+    """Refuse before a long run what could not be written after it; raises `ValueError`."""
+    folder = Path(path).parent
+    if not folder.is_dir() or not os.access(folder, os.W_OK):
+        raise ValueError(f"{path} cannot be written: the folder {folder} does not exist or is read-only")
+
+
+def unused_name(stem, taken):
+    """Give a name that is not yet in the set `taken`, and add it in lower case."""
+    name, number = stem, 2
+    while name.lower() in taken:
+        name, number = f"{stem}_{number}", number + 1
+    taken.add(name.lower())
+    return name
+
+
 def _move(stage, path):
     """Move a single file atomically; with companion files, the main name stays unused until they are in place."""
     written = sorted(stage.iterdir(), key=lambda file: file.name.startswith(path.name))

@@ -19,7 +19,7 @@ JPEG_SUFFIXES = (".jpg", ".jpeg")
 
 MAKE, MODEL, ORIENTATION, SOFTWARE = 0x010F, 0x0110, 0x0112, 0x0131
 EXIF_IFD, GPS_IFD = 0x8769, 0x8825
-DATE_TIME_ORIGINAL, FOCAL_LENGTH, FOCAL_LENGTH_35MM = 0x9003, 0x920A, 0xA405
+DATE_TIME_ORIGINAL, OFFSET_TIME_ORIGINAL, FOCAL_LENGTH, FOCAL_LENGTH_35MM = 0x9003, 0x9011, 0x920A, 0xA405
 LATITUDE_REF, LATITUDE, LONGITUDE_REF, LONGITUDE, ALTITUDE_REF, ALTITUDE = 1, 2, 3, 4, 5, 6
 DIRECTION_REF, DIRECTION, POSITIONING_ERROR = 16, 17, 31
 """Tags of Exif 2.32 (CIPA DC-008)."""
@@ -119,6 +119,9 @@ def _camera_tags(metadata):
     tags = {}
     if metadata.taken_at is not None:
         tags[DATE_TIME_ORIGINAL] = metadata.taken_at.strftime("%Y:%m:%d %H:%M:%S")
+    if metadata.utc_offset_s is not None:
+        minutes = round(abs(metadata.utc_offset_s) / 60)
+        tags[OFFSET_TIME_ORIGINAL] = f"{'-' if metadata.utc_offset_s < 0 else '+'}{minutes // 60:02}:{minutes % 60:02}"
     if metadata.focal_length_mm is not None:
         tags[FOCAL_LENGTH] = _rational(metadata.focal_length_mm, 1000)
     if metadata.focal_length_35mm is not None:

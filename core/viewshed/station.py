@@ -9,7 +9,14 @@ import numpy as np
 from ..base.progress import SILENT, checkpoint, subtask
 from ..base.viewed import ArraySink, Viewshed
 from .sector import Sector
-from .viewshed import ViewshedOptions, mark_observer, sector_window, viewshed
+from .sinks import PackedSink
+from .viewshed import FRAME_MARGIN, ViewshedOptions, mark_observer, sector_window, viewshed
+
+PACKED_CELLS = 500_000_000
+"""Viewsheds of more cells than this are held at two bits per cell."""
+
+SHARED_CELLS = 100_000_000
+"""Photos from one place are swept together in windows of up to this many cells, each of which then takes four bytes."""
 
 CODE_BITS = 8
 """Bits of a cell's own value, 0, 1 or 255; the bits above it record the sectors in which the cell lies."""
@@ -75,6 +82,46 @@ def station_viewsheds(terrain, observer, sectors, options=ViewshedOptions(), pro
         some = sectors[first : first + MOST_SECTORS]
         share = first / len(sectors), (first + len(some)) / len(sectors)
         yield from _together(terrain, observer, some, options, subtask(progress, *share))
+
+
+def viewsheds_at(terrain, observer, sectors, options=ViewshedOptions(), progress=SILENT):  # noqa: B008 - frozen
+    """Compute the viewsheds of photographs from one place, from one sweep if its window is not too large.
+
+    Parameters
+    ----------
+    terrain, observer, sectors, options, progress
+        As for `station_viewsheds`.
+
+    Yields
+    ------
+    Viewshed
+        One per sector, in order, each complete before the next.
+    """
+    sectors = tuple(sectors)
+    if len(sectors) > 1 and cells_at(terrain, observer, sectors, options) <= SHARED_CELLS:
+        yield from station_viewsheds(terrain, observer, sectors, options, progress)
+        return
+    for index, sector in enumerate(sectors):
+        part = subtask(progress, index / len(sectors), (index + 1) / len(sectors))
+        yield viewshed(terrain, observer, sector, options, part, sink_for)
+
+
+def cells_at(terrain, observer, sectors, options):
+    """Number of cells of the window in which the sectors of a place lie.
+
+    Parameters
+    ----------
+    terrain, observer, sectors, options
+        As for `station_viewsheds`.
+    """
+    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, FRAME_MARGIN * options.max_distance_m)
+    window = sector_window(frame, terrain.shape, AnyOf(tuple(sectors)), options.max_distance_m)
+    return window.rows * window.cols
+
+
+def sink_for(window):
+    """Return the object that holds the cells of a window: one byte each, or two bits if there are very many."""
+    return (PackedSink if window.rows * window.cols > PACKED_CELLS else ArraySink)(window)
 
 
 def _together(terrain, observer, sectors, options, progress):

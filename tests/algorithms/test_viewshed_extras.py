@@ -312,10 +312,11 @@ class TestSkylines:
 
 
 def test_extras_of_too_large_a_window_are_refused_in_words(call, points, tmp_path, monkeypatch):
-    from skyline_viewshed.algorithms.shared import viewer, viewshed_extras
+    from skyline_viewshed.algorithms.shared import viewshed_extras
+    from skyline_viewshed.core.viewshed import station
 
     monkeypatch.setattr(viewshed_extras, "LAYER_CELLS", 100)
-    monkeypatch.setattr(viewer, "PACKED_CELLS", 100)
+    monkeypatch.setattr(station, "PACKED_CELLS", 100)
     layer = points(("west", "a.jpg", {}))
     packed, feedback = call(layer, LAYERS=str(tmp_path / "l"), RASTERS=str(tmp_path / "r"))
     assert any("shorter" in text for text in feedback.warnings) and not (tmp_path / "l").exists()

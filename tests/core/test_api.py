@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import skyline_viewshed as sv
-from skyline_viewshed.core import api
+from skyline_viewshed.core import api, batch
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.errors import MissingPackageError
 
@@ -197,7 +197,7 @@ def test_no_photo_ends_a_run(scene, mountains, pixels, monkeypatch, caplog):
             raise ZeroDivisionError("by zero")
         return real(request, *arguments)
 
-    monkeypatch.setattr(api, "orient_request", faulty)
+    monkeypatch.setattr(batch, "orient_request", faulty)
     photos = list(sv.orient_many([pixels, "bad.jpg", "missing.jpg"], mountains, **FACTS))
     assert [photo.status for photo in photos] == ["accepted", "failed", "failed"]
     assert photos[1].message.startswith("An unexpected error occurred on this photo.") and photos[1].path == "bad.jpg"

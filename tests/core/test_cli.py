@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import skyline_viewshed
-from skyline_viewshed.core import cli
+from skyline_viewshed.core import batch, cli
 from skyline_viewshed.core.base.angles import difference
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -203,7 +203,7 @@ def test_an_unexpected_error_is_a_sentence_and_its_details_go_to_the_log(scene, 
     def faulty(*arguments):
         raise ZeroDivisionError("by zero")
 
-    monkeypatch.setattr(cli.api, "orient_request", faulty)
+    monkeypatch.setattr(batch, "orient_request", faulty)
     arguments = ["orient", str(scene.folder / "north.jpg"), str(scene.dem), "-o", str(tmp_path / "p.csv")]
     assert cli.main([*arguments, "--log", str(tmp_path / "log.txt")]) == cli.SOME_FAILED
     said = capsys.readouterr().err

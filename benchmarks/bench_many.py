@@ -1,0 +1,71 @@
+"""Throughput of worker processes: the same photographs with one and with two processes, and whether all is the same.
+
+    python benchmarks/bench_many.py [--photos 60] [--workers 2] [--data ../shared/data]
+
+Photographs are taken from every folder of real data that has `photos/` and `dem/dem.tif`. Prints a row for
+docs/performance.md. On a machine with other work the ratio of wall times says little; CPU seconds per photograph, also
+printed, are more reliable.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import time
+from pathlib import Path
+
+import skyline_viewshed as sv
+
+DATA = Path(os.environ.get("SKYLINE_DATA", Path(__file__).resolve().parents[2] / "shared" / "data"))
+SETS = ("khumbu-trek", "mont-blanc", "annapurna", "sawatch")
+
+
+def chosen(data, count):
+    """Return [(DEM, photographs)] with `count` photographs together."""
+    found = []
+    for name in SETS:
+        paths = sv.list_photos(data / name / "photos")[:count] if (data / name / "photos").is_dir() else []
+        count -= len(paths)
+        if paths:
+            found.append((data / name / "dem" / "dem.tif", paths))
+    return found
+
+
+def answers(sets, workers):
+    """Orient all; return answers, wall seconds, and CPU seconds of this process and its children."""
+    started, before = time.monotonic(), os.times()
+    found = []
+    for dem, paths in sets:
+        photos = sv.orient_many(paths, sv.open_dem(dem), workers=workers)
+        found += [(photo.path, photo.status, photo.heading_deg, photo.p_correct) for photo in photos]
+    after = os.times()
+    cpu = sum(after[:4]) - sum(before[:4])
+    return found, time.monotonic() - started, cpu
+
+
+def main():
+    """Print the comparison."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--photos", type=int, default=60)
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--data", type=Path, default=DATA)
+    given = parser.parse_args()
+    sets = chosen(given.data, given.photos)
+    several, wall_several, cpu_several = answers(sets, given.workers)
+    worker_mb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    one, wall_one, cpu_one = answers(sets, 1)
+    print(f"{len(one)} photographs, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
+    print(f"answers are the same: {one == several}")
+    print(
+        f"wall: {wall_one:.0f} s with one process, {wall_several:.0f} s with {given.workers}: "
+        f"{wall_one / wall_several:.2f} times the throughput"
+    )
+    print(
+        f"CPU per photograph: {cpu_one / len(one):.2f} s and {cpu_several / len(one):.2f} s; "
+        f"largest worker {worker_mb:.0f} MB"
+    )
+
+
+if __name__ == "__main__":
+    main()

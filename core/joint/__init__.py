@@ -1,0 +1,1 @@
+"""What photographs of one walk know about one another."""

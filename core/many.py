@@ -1,0 +1,181 @@
+"""Many photographs: the orientation of one as a task for other processes, and the photographs that share a station."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from . import batch
+from .base.blas import one_blas_thread
+from .base.errors import PhotoError
+from .base.messages import Message
+from .base.model import Orientation, OrientedPhoto
+from .base.progress import subtask
+from .io.photo import read_photo
+from .joint.hints import better, neighbour_hints
+from .paper.skyline import extract_skyline_paper
+from .pipeline import HorizonCache, OrientOptions
+from .skyline.evidence import skyline_evidence
+from .viewshed.station import viewsheds_at
+from .workers.interpreter import worker_count
+from .workers.pool import WorkerLostError
+from .workers.team import Team
+
+UNEXPECTED = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
+
+
+@dataclass(frozen=True, eq=False)
+class OrientJob:
+    """The job of a `Team` that orients photographs: calling it gives the function for one of them.
+
+    Attributes
+    ----------
+    dem : Dem or ArrayTerrain
+        Another process opens a `Dem` itself.
+    options : OrientOptions
+    """
+
+    dem: Any
+    options: OrientOptions
+
+    def __call__(self):
+        """Return the function of ((request, photo or None), progress) that gives an `OrientedPhoto`."""
+        cache = HorizonCache()
+
+        def orient(task, progress):
+            request, photo = task
+            return batch.orient_request(request, self.dem, self.options, cache, progress, photo)
+
+        return orient
+
+
+@dataclass(frozen=True, eq=False)
+class ViewshedJob:
+    """The same for the viewsheds of the photographs at one place.
+
+    Attributes
+    ----------
+    dem : Dem or ArrayTerrain
+    options : ViewshedOptions
+    """
+
+    dem: Any
+    options: Any
+
+    def __call__(self):
+        """Return the function of ((observer, sectors), progress) that gives a list of `Viewshed`."""
+        return lambda task, progress: list(viewsheds_at(self.dem, task[0], task[1], self.options, progress))
+
+
+@dataclass(frozen=True)
+class SkylineJob:
+    """The same for skylines alone.
+
+    Attributes
+    ----------
+    method : str
+        'robust' or 'paper'.
+    preview_px : int
+        Long side of the picture that the result keeps [pixels].
+    """
+
+    method: str
+    preview_px: int
+
+    def __call__(self):
+        """Return the function of (path, progress) that gives an `OrientedPhoto` without orientation."""
+        return lambda path, progress: extract_skyline(path, self.method, self.preview_px)
+
+
+def extract_skyline(path, method, preview_px):
+    """Extract the skyline of a photograph file without orienting it.
+
+    Parameters
+    ----------
+    path : str or None
+    method : str
+        'robust' or 'paper'.
+    preview_px : int
+        Long side of the picture that the `OrientedPhoto`, which has no orientation, keeps [pixels].
+
+    Raises
+    ------
+    PhotoError, MissingPackageError
+    """
+    if path is None:
+        raise PhotoError(Message("The point names no photo. Fill its path field."))
+    options, evidence = OrientOptions(), None
+    with one_blas_thread():
+        photo = read_photo(path, None if method == "paper" else preview_px)
+        metadata = photo.metadata
+        if method == "paper":
+            skyline = extract_skyline_paper(photo.pixels, options.paper.skyline)
+        else:
+            evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
+            skyline = evidence.best
+    return OrientedPhoto(path, Orientation("", ""), metadata, preview=photo.pixels, skyline=skyline, evidence=evidence)
+
+
+def outcomes_of(job, tasks, progress, workers):
+    """Orient photographs here or in worker processes.
+
+    Parameters
+    ----------
+    job : OrientJob
+    tasks : list of (PhotoRequest, Photo or None)
+    progress : Progress
+    workers : int
+        See `worker_count`.
+
+    Yields
+    ------
+    Outcome
+        In order.
+    """
+    with Team(job, worker_count(workers, len(tasks))) as team:
+        team.begin(tasks, progress, [station_of(request) for request, _ in tasks])
+        for index in range(len(tasks)):
+            yield team.take(subtask(progress, index / len(tasks), (index + 1) / len(tasks)))
+
+
+def look_again(job, tasks, photos, progress, workers):
+    """Orient once more, with what their neighbours tell, the photographs of a run that no skyline decides alone.
+
+    Parameters
+    ----------
+    job, tasks, progress, workers
+        As for `outcomes_of`.
+    photos : list of OrientedPhoto
+        Results of the tasks.
+
+    Returns
+    -------
+    list of OrientedPhoto
+        Photographs that were accepted, and those without helpful neighbours, are the same objects.
+    """
+    hints, photos = neighbour_hints(photos), list(photos)
+    again = [(hint.applied(tasks[index][0]), tasks[index][1]) for index, hint in hints.items()]
+    for (index, hint), outcome in zip(hints.items(), outcomes_of(job, again, progress, workers)):
+        if outcome.error is None:
+            photos[index] = better(photos[index], outcome.value, hint)
+    return photos
+
+
+def station_of(request):
+    """Give what photographs from one place have in common, for `Pool.map`; None if the file alone tells."""
+    if request.longitude_deg is None or request.latitude_deg is None or request.prefer_photo_position:
+        return None
+    return request.longitude_deg, request.latitude_deg, request.eye_elevation_m, request.eye_height_m
+
+
+def fallen(path, error, notes=()):
+    """Make the result for a photo whose computation failed for a reason that does not lie in the photo.
+
+    Parameters
+    ----------
+    path : str
+    error : Exception
+    notes : tuple of str
+    """
+    message = error.message if isinstance(error, WorkerLostError) else UNEXPECTED
+    return OrientedPhoto(path, Orientation("failed", message, notes=tuple(notes)))

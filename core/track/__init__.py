@@ -1,0 +1,1 @@
+"""Positions of photographs from a track and the times of both."""

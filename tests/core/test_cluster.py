@@ -1,0 +1,154 @@
+"""Chunks of photographs with result files, and on a Dask cluster of which a worker is killed."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+
+import pytest
+import worker_jobs
+from skyline_viewshed.core import cluster
+from skyline_viewshed.core.base.errors import Cancelled
+from skyline_viewshed.core.batch import PhotoRequest
+from skyline_viewshed.core.cluster import RowsOfChunk, cluster_outcomes, rows_with_files
+from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.many import OrientJob
+from skyline_viewshed.core.pipeline import OrientOptions
+from worker_jobs import Quick
+
+
+@pytest.fixture(autouse=True)
+def small_chunks(monkeypatch):
+    monkeypatch.setattr(cluster, "CHUNK", 2)
+
+
+@pytest.fixture
+def tasks(scene, tmp_path):
+    """Seven files, of which none is opened by `Quick`."""
+    paths = [tmp_path / f"{number}.jpg" for number in range(7)]
+    for path in paths:
+        path.write_bytes(b"")
+    return [(PhotoRequest(str(path)), None) for path in paths]
+
+
+@pytest.fixture
+def work(scene):
+    return RowsOfChunk(Quick(open_dem(str(scene.dem)), OrientOptions()), 1000.0)
+
+
+def headings(rows):
+    return [row.values["heading"] for row in rows]
+
+
+def test_chunks_lie_in_files_and_a_repeat_does_only_what_is_missing(work, tasks, tmp_path):
+    folder = tmp_path / "chunks"
+    rows = list(rows_with_files(work, tasks, folder))
+    assert headings(rows) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0] and len(list(folder.iterdir())) == 4
+    assert all(row.values["status"] == "accepted" for row in rows)
+    for file in sorted(folder.iterdir())[1:3]:
+        file.unlink()
+    done = Quick.done()
+    assert rows == list(rows_with_files(work, tasks, folder))
+    assert Quick.done() - done == 4
+    os.utime(tasks[0][0].path, ns=(1, 1))
+    list(rows_with_files(work, tasks, folder))
+    assert Quick.done() - done == 6, "a changed photograph makes its chunk anew"
+
+
+def test_a_stopped_run_leaves_whole_files_only(work, tasks, tmp_path):
+    class Stops:
+        def report(self, fraction):
+            self.at = fraction
+
+        def cancelled(self):
+            return getattr(self, "at", 0) >= 0.5
+
+    with pytest.raises(Cancelled):
+        list(rows_with_files(work, tasks, tmp_path / "chunks", progress=Stops()))
+    assert 1 <= len(list((tmp_path / "chunks").iterdir())) <= 3
+    assert headings(rows_with_files(work, tasks, tmp_path / "chunks")) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+
+
+def test_a_photograph_that_kills_its_process_costs_nothing_else(work, tasks, tmp_path):
+    deadly = tmp_path / "deadly.jpg"
+    deadly.write_bytes(b"")
+    tasks = [*tasks[:3], (PhotoRequest(str(deadly)), None), *tasks[3:]]
+    rows = list(rows_with_files(work, tasks, tmp_path / "chunks", workers=2))
+    assert headings(rows) == [0.0, 1.0, 2.0, None, 3.0, 4.0, 5.0, 6.0]
+    assert rows[3].values["status"] == "failed" and "ended unexpectedly" in rows[3].values["message"]
+
+
+def test_a_path_of_gdal_is_copied_and_keeps_its_name(scene):
+    gdal = pytest.importorskip("osgeo.gdal")
+    source = scene.folder / "north.jpg"
+    gdal.FileFromMemBuffer("/vsimem/cloud/north.jpg", source.read_bytes())
+    job = OrientJob(open_dem(str(scene.dem)), OrientOptions())
+    rows = RowsOfChunk(job, 1000.0)([(PhotoRequest(path), None) for path in (
+        "/vsimem/cloud/north.jpg", str(source), "/vsimem/cloud/missing.jpg")])  # fmt: skip
+    gdal.Unlink("/vsimem/cloud/north.jpg")
+    assert rows[0].values["photo"] == "/vsimem/cloud/north.jpg" and rows[2].values["status"] == "failed"
+    assert rows[0].values["heading"] == rows[1].values["heading"] and rows[0].values["status"] == "accepted"
+
+
+@pytest.fixture(scope="module")
+def client():
+    distributed = pytest.importorskip("distributed", reason="Dask is an optional package")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=True) as local,
+        distributed.Client(local) as client,
+    ):
+        yield client
+
+
+def test_a_cluster_gives_the_same_table_although_a_worker_is_killed(client, work, tasks, tmp_path):
+    alone = list(rows_with_files(work, tasks, tmp_path / "alone"))
+    assert list(rows_with_files(work, tasks, tmp_path / "many", client)) == alone
+    pids = client.run(os.getpid)
+    killed = []
+
+    class Kills:
+        def report(self, fraction):
+            if fraction > 0.2 and not killed:
+                killed.append(next(iter(pids.values())))
+                os.kill(killed[0], signal.SIGKILL)
+
+        def cancelled(self):
+            return False
+
+    slow = RowsOfChunk(Quick(work.job.dem, work.job.options, 0.5), 1000.0)
+    again = list(rows_with_files(slow, tasks, tmp_path / "killed", client, progress=Kills()))
+    assert killed and again == alone
+
+
+def test_outcomes_come_back_from_the_cluster_in_order(client, work, tasks):
+    outcomes = list(cluster_outcomes(client, work.job, tasks, worker_jobs.Silence()))
+    assert [round(outcome.result().heading_deg) for outcome in outcomes] == list(range(7))
+
+
+def test_killing_the_whole_run_and_starting_again(scene, tmp_path):
+    """The command line with four processes, killed at some moment; the repeat takes up the chunks."""
+    import subprocess
+    import sys
+    import time
+
+    from whole_runs import PLAIN, as_from_a_terminal, rows_of
+
+    folder = tmp_path / "photos"
+    folder.mkdir()
+    for number in range(4):
+        shutil.copy(scene.folder / "north.jpg", folder / f"{number}.jpg")
+    command = [sys.executable, "-m", "skyline_viewshed", "orient", folder, scene.dem, "-o", tmp_path / "p.gpkg",
+               "--results", tmp_path / "chunks", "--workers", "4"]  # fmt: skip
+    for kind in (signal.SIGKILL, signal.SIGINT):
+        process = subprocess.Popen(
+            [str(word) for word in command], env=PLAIN, stderr=subprocess.DEVNULL, preexec_fn=as_from_a_terminal
+        )
+        time.sleep(3.0)
+        process.send_signal(kind)
+        process.wait(60)
+        assert not (tmp_path / "p.gpkg").exists() or process.returncode == 0
+    done = subprocess.run([str(word) for word in command], env=PLAIN, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert [row["status"] for row in rows_of(tmp_path / "p.gpkg")] == ["accepted"] * 4
+    assert len(list((tmp_path / "chunks").glob("*.json"))) == 1

@@ -1,0 +1,63 @@
+"""The clock of a camera from simulated photographs along a simulated walk."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scenes import small_mountains
+from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.model import PhotoMetadata
+from skyline_viewshed.core.base.terrain import Observer
+from skyline_viewshed.core.io.write_photo import write_photo
+from skyline_viewshed.core.simulate.render import render_view
+from skyline_viewshed.core.simulate.scene import SceneOptions
+from skyline_viewshed.core.track.clock import ClockOptions
+from skyline_viewshed.core.track.track import local_m, place_at, track_of
+from skyline_viewshed.core.walk import clock_from_skylines
+
+T0, OFFSET_S = 1_700_000_000.0, 1800.0
+OPTIONS = ClockOptions(largest_s=2700.0, steps_s=(300.0, 60.0), kept=2, photos=4)
+
+
+@pytest.fixture(scope="module")
+def walk(tmp_path_factory):
+    """A walk of four hours over the middle of the mountains, and four photographs from it."""
+    terrain, folder = small_mountains(), tmp_path_factory.mktemp("walk")
+    time = T0 + np.arange(0, 14_401, 60.0)
+    east, north = np.linspace(-6000, 6000, len(time)), 1500 * np.sin((time - T0) / 2500)
+    rows, cols = terrain.shape
+    places = [terrain.position_of(cols / 2 + e / 90.0, rows / 2 - n / 90.0) for e, n in zip(east, north)]
+    track = track_of(time, *np.array(places, float).T)
+    size = 640, 480
+    camera, paths, times = Camera(*size, focal_from_35mm_px(*size, 26.0)), [], []
+    for number, when in enumerate(T0 + np.array([3000.0, 6000, 9000, 12_000])):
+        place = place_at(track, when)
+        view = render_view(
+            terrain, Observer(place.longitude_deg, place.latitude_deg), camera, Pose(90.0 * number, 4.0, 1.0),
+            SceneOptions(number),
+        )  # fmt: skip
+        paths.append(str(folder / f"{number}.jpg"))
+        write_photo(paths[-1], view.pixels, PhotoMetadata(paths[-1], *size, focal_length_35mm=26.0))
+        times.append(when + OFFSET_S)
+    return terrain, track, paths, times
+
+
+def test_half_an_hour_is_found_to_within_fifty_metres(walk):
+    terrain, track, paths, times = walk
+    answer = clock_from_skylines(paths, times, track, terrain, OPTIONS)
+    assert answer.offset_s is not None, answer.message
+    for time in times:
+        true, found = (place_at(track, time - offset) for offset in (OFFSET_S, answer.offset_s))
+        apart = np.subtract(*(local_m(track, place.longitude_deg, place.latitude_deg) for place in (true, found)))
+        assert np.hypot(*apart) < 50
+
+
+def test_photographs_without_a_skyline_tell_nothing(walk, tmp_path):
+    terrain, track, _, times = walk
+    paths = []
+    for number in range(4):
+        pixels = np.random.default_rng(number).integers(60, 120, (480, 640, 3)).astype(np.uint8)
+        paths.append(str(tmp_path / f"{number}.jpg"))
+        write_photo(paths[-1], pixels, PhotoMetadata(paths[-1], 640, 480, focal_length_35mm=26.0))
+    answer = clock_from_skylines([*paths, str(tmp_path / "missing.jpg")], [*times, times[0]], track, terrain, OPTIONS)
+    assert answer.offset_s is None and "cannot be determined" in answer.message
