@@ -34,6 +34,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Folder of photographs</source>
         <translation>Ordner mit Fotos</translation>
@@ -42,6 +43,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
         <translation>Unterordner einbeziehen</translation>
     </message>
@@ -167,6 +169,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
         <translation>Durchsucht auch alle Unterordner.</translation>
     </message>
@@ -633,6 +636,7 @@
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
@@ -727,13 +731,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Number of skylines</source>
         <translation>Anzahl der Horizontlinien</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1769,6 +1766,176 @@
         <translation>Anzahl der Objekte, die kein Gelände zeigen</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Position photos from a track</source>
+        <translation>Fotos anhand eines Tracks verorten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>photo,gps,gpx,track,time,clock,geotag,position,exif,time zone</source>
+        <translation>Foto,GPS,GPX,Track,Zeit,Uhr,Geotag,Position,EXIF,Zeitzone</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Points of photographs without GPS, from the times of a recorded track</source>
+        <translation>Punkte von Fotos ohne GPS, anhand der Zeiten eines aufgezeichneten Tracks</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Erzeugt für jedes Foto einen Punkt an der Stelle des Tracks zur Aufnahmezeit. Der Fehler des Punkts (&lt;b&gt;pos_err&lt;/b&gt;) wächst mit der Lücke zwischen den Trackpunkten ringsum; &lt;i&gt;Fotos orientieren&lt;/i&gt; berücksichtigt ihn. Wo der Track nichts enthält, hat der Punkt keine Geometrie, und &lt;b&gt;pos_note&lt;/b&gt; nennt den Grund.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Kameras zeichnen die Ortszeit auf. Die Zeitzone wird aus der Datei gelesen oder dem Parameter entnommen. Ging die Uhr falsch, geben Sie ihre Abweichung an oder lassen Sie sie &lt;i&gt;aus den Horizontlinien&lt;/i&gt; bestimmen: Dazu sind ein Höhenmodell und mindestens drei Fotos mit klarer Horizontlinie von verschiedenen Orten nötig. Passen andere Abweichungen ebenso gut, wird kein Foto verortet, und eine Warnung weist darauf hin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>JPEG and HEIC files; a GPS position is not needed.</source>
+        <translation>JPEG- und HEIC-Dateien; eine GPS-Position ist nicht nötig.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Layer or table with the paths of the photographs, in place of a folder.</source>
+        <translation>Layer oder Tabelle mit den Pfaden der Fotos anstelle eines Ordners.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time zone of the camera's clock</source>
+        <translation>Zeitzone der Kamerauhr</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>For example +05:45 or Asia/Kathmandu. Empty: as the photograph records it.</source>
+        <translation>Zum Beispiel +05:45 oder Asia/Kathmandu. Leer: wie im Foto aufgezeichnet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Camera's clock</source>
+        <translation>Uhr der Kamera</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>as given</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>find its offset from the skylines</source>
+        <translation>Abweichung aus den Horizontlinien bestimmen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
+        <translation>Die Horizontlinien zeigen, wo die Fotos aufgenommen wurden, und damit, wie weit die Uhr vorgeht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Clock is ahead by (s)</source>
+        <translation>Die Uhr geht vor um (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Sekunden, um die die Kamerauhr der wahren Zeit voraus ist; negativ, wenn sie nachgeht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Needed only to find the clock's offset from the skylines.</source>
+        <translation>Nur nötig, um die Abweichung der Uhr aus den Horizontlinien zu bestimmen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Longest time between two track points that is interpolated; beyond the track's ends, half of it.</source>
+        <translation>Längste Zeit zwischen zwei Trackpunkten, über die interpoliert wird; jenseits der Enden des Tracks die Hälfte davon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Interpolation limit (s)</source>
+        <translation>Grenze der Interpolation (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the track's points.</source>
+        <translation>Standardabweichung der Trackpunkte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the track (m)</source>
+        <translation>Fehler des Tracks (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
+        <translation>Ein Punkt je Foto mit seinem Fehler und seiner Herkunft; ohne Geometrie, wo es keine Position gibt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Positioned photos</source>
+        <translation>Verortete Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Number of photos with a position</source>
+        <translation>Anzahl der Fotos mit Position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Offset of the clock that was used (s)</source>
+        <translation>Verwendete Abweichung der Uhr (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the clock's offset (s)</source>
+        <translation>Standardabweichung der Abweichung der Uhr (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Choose either a folder of photographs or a layer with their paths.</source>
+        <translation>Wählen Sie entweder einen Ordner mit Fotos oder einen Layer mit ihren Pfaden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>To find the clock's offset from the skylines, choose an elevation model.</source>
+        <translation>Um die Abweichung der Uhr aus den Horizontlinien zu bestimmen, wählen Sie ein Höhenmodell.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>{placed} of {count} photos have a position.</source>
+        <translation>{placed} von {count} Fotos haben eine Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time.</source>
+        <translation>Das Foto enthält keine Aufnahmezeit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time zone. Give the time zone of the camera's clock.</source>
+        <translation>Das Foto enthält keine Zeitzone. Geben Sie die Zeitzone der Kamerauhr an.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>from the track</source>
+        <translation>aus dem Track</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Fehler der Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time between the track points around the photo (s)</source>
+        <translation>Zeit zwischen den Trackpunkten um das Foto (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Where the position comes from, or why there is none</source>
+        <translation>Herkunft der Position, oder warum es keine gibt</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -2267,6 +2434,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Field with the error of the position (m)</source>
+        <translation>Feld mit dem Fehler der Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Standard deviation, as Position photos from a track writes it. NULL: a few metres, as GPS has in the open.</source>
+        <translation>Standardabweichung, wie „Fotos anhand eines Tracks verorten“ sie schreibt. NULL: wenige Meter, wie bei GPS im offenen Gelände.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Horizontal field of view of all photos (°)</source>
         <translation>Horizontaler Bildwinkel aller Fotos (°)</translation>
     </message>
@@ -2302,9 +2479,30 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../core/api.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
+        <source>Photographs that help one another</source>
+        <translation>Fotos, die einander helfen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} Fotos gewannen durch ihre Nachbarn.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Fotos einer Wanderung gemeinsam orientieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Angenommene Fotos helfen denen, über die keine Horizontlinie allein entscheidet: durch gemeinsame Bildmerkmale, wo die Kamera nur gedreht wurde (erfordert OpenCV), und durch den Fehler des Kompasses, der sich bei einer Kamera innerhalb einer Stunde kaum ändert. Angenommene Antworten ändern sich nicht. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB je Foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2918,6 +3116,51 @@
         <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (GPX file)</source>
+        <translation>Track (GPX-Datei)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>A recorded track with times. Choose either a file or a layer.</source>
+        <translation>Ein aufgezeichneter Track mit Zeiten. Wählen Sie entweder eine Datei oder einen Layer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (layer)</source>
+        <translation>Track (Layer)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Points with a time, or lines whose M values are seconds since 1970 (UTC).</source>
+        <translation>Punkte mit einer Zeit, oder Linien, deren M-Werte Sekunden seit 1970 (UTC) sind.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Field with the time</source>
+        <translation>Feld mit der Zeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Date and time of each track point; without a time zone they count as UTC. Empty: a field named time.</source>
+        <translation>Datum und Uhrzeit jedes Trackpunkts; ohne Zeitzone gelten sie als UTC. Leer: ein Feld namens time.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Choose the track: either a GPX file or a layer.</source>
+        <translation>Wählen Sie den Track: entweder eine GPX-Datei oder einen Layer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The lines of the track have no M values with times. Choose a layer of points, or a GPX file.</source>
+        <translation>Die Linien des Tracks haben keine M-Werte mit Zeiten. Wählen Sie einen Punktlayer oder eine GPX-Datei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The track has no field with times. Choose the field that holds them.</source>
+        <translation>Der Track hat kein Feld mit Zeiten. Wählen Sie das Feld, das sie enthält.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/viewer.py"/>
         <source>Cancelled after {done} of {count} viewsheds.</source>
         <translation>Abgebrochen nach {done} von {count} Sichtfeldern.</translation>
@@ -3225,6 +3468,21 @@
         <location filename="../algorithms/shared/visibility.py"/>
         <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
         <translation>Nickwinkel oder vertikaler Bildwinkel ist unbekannt: Gezeigt wird der Blicksektor, nicht der Bildausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Processes that work on different photographs at the same time, each with up to 700 MB of memory. 0: all cores but one, as far as memory allows. 1: no further process. The results are the same. If QGIS finds no Python interpreter to start, a warning says so and one process does the work.</source>
+        <translation>Prozesse, die gleichzeitig an verschiedenen Fotos arbeiten, jeder mit bis zu 700 MB Speicher. 0: alle Kerne bis auf einen, soweit der Speicher reicht. 1: kein weiterer Prozess. Die Ergebnisse sind dieselben. Findet QGIS keinen Python-Interpreter, den es starten kann, weist eine Warnung darauf hin, und ein Prozess erledigt die Arbeit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Worker processes</source>
+        <translation>Arbeitsprozesse</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>{count} processes share the work.</source>
+        <translation>{count} Prozesse teilen sich die Arbeit.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -5057,6 +5315,11 @@
         <translation>Das DGM {path} ist gegen sein KBS gedreht. Transformieren Sie es zuerst auf ein nach Norden ausgerichtetes Gitter (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/gpx.py"/>
+        <source>The track {path} has no points. Choose a GPX file with a recorded track.</source>
+        <translation>Der Track {path} hat keine Punkte. Wählen Sie eine GPX-Datei mit einem aufgezeichneten Track.</translation>
+    </message>
+    <message>
         <location filename="../core/io/height_unit.py"/>
         <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
         <translation>Die Werte des DGM sind in {unit} angegeben, was hier nicht als Einheit von Höhen bekannt ist. Wählen Sie ein Höhenraster, oder stellen Sie die Einheit seiner Höhen ein (DEM_UNIT).</translation>
@@ -5095,6 +5358,11 @@
         <location filename="../core/io/lens_tags.py"/>
         <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
         <translation>Die aufgezeichnete kleinbildäquivalente Brennweite enthält den Digitalzoom nicht: Statt {recorded} mm wurden {used} mm verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/local_copy.py"/>
+        <source>the file cannot be opened</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -5231,6 +5499,21 @@
         <location filename="../core/io/write_raster.py"/>
         <source>the disk may be full</source>
         <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>Features that it shares with {photos} gave the approximate heading.</source>
+        <translation>Gemeinsame Bildmerkmale mit {photos} ergaben die ungefähre Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
+        <translation>Der Kompass, berichtigt um seinen Fehler von {error}° bei {count} Fotos derselben Stunde (etwa {photo}), ergab die ungefähre Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5859,6 +6142,46 @@
         <translation>Das Bild zeigt keine Horizontlinie von Bergen: Seine Linien sind waagerecht und senkrecht wie in einem Raum.</translation>
     </message>
     <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>Die Uhr lässt sich nicht bestimmen: Nur {count} Fotos mit Aufnahmezeit zeigen eine Horizontlinie, {least} sind nötig. Geben Sie die Abweichung der Uhr an.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined from the skylines: other offsets fit as well. Give the clock's offset, or more photos with a clear skyline from different places.</source>
+        <translation>Die Uhr lässt sich aus den Horizontlinien nicht bestimmen: Andere Abweichungen passen ebenso gut. Geben Sie die Abweichung der Uhr an, oder mehr Fotos mit klarer Horizontlinie von verschiedenen Orten.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
+        <translation>Die Kamerauhr geht um {offset} s vor, mit einer Standardabweichung von {sigma} s; {count} Fotos stimmen überein.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has fewer than two points with a time. Choose a recorded track, not a planned route.</source>
+        <translation>Der Track hat weniger als zwei Punkte mit Zeit. Wählen Sie einen aufgezeichneten Track, keine geplante Route.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} before the track begins.</source>
+        <translation>Das Foto wurde {time} vor dem Beginn des Tracks aufgenommen.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} after the track ends.</source>
+        <translation>Das Foto wurde {time} nach dem Ende des Tracks aufgenommen.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has a gap of {time} around the photo.</source>
+        <translation>Der Track hat um das Foto eine Lücke von {time}.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/zone.py"/>
+        <source>The time zone {text} is not known. Write it as +05:45 or as Asia/Kathmandu.</source>
+        <translation>Die Zeitzone {text} ist nicht bekannt. Schreiben Sie sie als +05:45 oder als Asia/Kathmandu.</translation>
+    </message>
+    <message>
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
         <translation>Das Koordinatensystem des DGM verzerrt Sichtlinien hier zu stark. Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM.</translation>
@@ -5867,6 +6190,16 @@
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
         <translation>Das Koordinatensystem des DGM krümmt Sichtlinien hier zu stark (nahe einem Pol seines Gitters). Verwenden Sie ein DGM in einem projizierten Koordinatensystem wie UTM oder polar-stereographisch.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/pool.py"/>
+        <source>The process that worked on this photo ended unexpectedly, perhaps because memory ran out. Run this photo again by itself, or set a smaller number of worker processes.</source>
+        <translation>Der Prozess, der dieses Foto bearbeitete, endete unerwartet, vielleicht weil der Speicher nicht reichte. Bearbeiten Sie dieses Foto noch einmal allein, oder wählen Sie weniger Arbeitsprozesse.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/team.py"/>
+        <source>No worker processes could be started ({reason}), so one process does all the work.</source>
+        <translation>Es konnten keine Arbeitsprozesse gestartet werden ({reason}), daher erledigt ein Prozess die ganze Arbeit.</translation>
     </message>
 </context>
 </TS>

@@ -34,6 +34,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Folder of photographs</source>
         <translation>Carpeta de fotografías</translation>
@@ -42,6 +43,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
         <translation>Incluir subcarpetas</translation>
     </message>
@@ -167,6 +169,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
         <translation>Busca también en todas las subcarpetas.</translation>
     </message>
@@ -633,6 +636,7 @@
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
@@ -727,13 +731,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Number of skylines</source>
         <translation>Número de líneas del horizonte</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1769,6 +1766,176 @@
         <translation>Número de objetos que no muestran terreno</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Position photos from a track</source>
+        <translation>Situar fotos a partir de un track</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>photo,gps,gpx,track,time,clock,geotag,position,exif,time zone</source>
+        <translation>foto,gps,gpx,track,hora,reloj,geoetiqueta,posición,exif,zona horaria</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Points of photographs without GPS, from the times of a recorded track</source>
+        <translation>Puntos de fotografías sin GPS, a partir de las horas de un track grabado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Crea un punto por fotografía en el lugar del track a la hora de la fotografía. El error del punto (&lt;b&gt;pos_err&lt;/b&gt;) crece con el intervalo entre los puntos del track que lo rodean; &lt;i&gt;Orientar fotos&lt;/i&gt; lo tiene en cuenta. Donde el track no contiene nada, el punto no tiene geometría y &lt;b&gt;pos_note&lt;/b&gt; indica el motivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Las cámaras registran la hora local. La zona horaria se lee del archivo o se toma del parámetro. Si el reloj iba mal, indique su desfase o haga que se determine &lt;i&gt;a partir de las líneas del horizonte&lt;/i&gt;: para ello se necesitan un modelo de elevación y al menos tres fotografías con una línea del horizonte clara desde lugares distintos. Si otros desfases encajan igual de bien, no se sitúa ninguna fotografía y un aviso lo indica.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>JPEG and HEIC files; a GPS position is not needed.</source>
+        <translation>Archivos JPEG y HEIC; no se necesita posición GPS.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Layer or table with the paths of the photographs, in place of a folder.</source>
+        <translation>Capa o tabla con las rutas de las fotografías, en lugar de una carpeta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time zone of the camera's clock</source>
+        <translation>Zona horaria del reloj de la cámara</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>For example +05:45 or Asia/Kathmandu. Empty: as the photograph records it.</source>
+        <translation>Por ejemplo +05:45 o Asia/Kathmandu. Vacío: la que registra la fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Camera's clock</source>
+        <translation>Reloj de la cámara</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>as given</source>
+        <translation>según lo indicado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>find its offset from the skylines</source>
+        <translation>determinar su desfase a partir de las líneas del horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
+        <translation>Las líneas del horizonte muestran dónde se tomaron las fotografías y, con ello, cuánto adelanta el reloj.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Clock is ahead by (s)</source>
+        <translation>El reloj adelanta (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Segundos que el reloj de la cámara adelanta respecto a la hora verdadera; negativo si atrasa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Needed only to find the clock's offset from the skylines.</source>
+        <translation>Solo se necesita para determinar el desfase del reloj a partir de las líneas del horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Longest time between two track points that is interpolated; beyond the track's ends, half of it.</source>
+        <translation>Tiempo máximo entre dos puntos del track que se interpola; más allá de sus extremos, la mitad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Interpolation limit (s)</source>
+        <translation>Límite de interpolación (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the track's points.</source>
+        <translation>Desviación estándar de los puntos del track.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the track (m)</source>
+        <translation>Error del track (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
+        <translation>Un punto por fotografía, con su error y su procedencia; sin geometría donde no la hay.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Positioned photos</source>
+        <translation>Fotos situadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Number of photos with a position</source>
+        <translation>Número de fotos con posición</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Offset of the clock that was used (s)</source>
+        <translation>Desfase del reloj que se utilizó (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the clock's offset (s)</source>
+        <translation>Desviación estándar del desfase del reloj (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Choose either a folder of photographs or a layer with their paths.</source>
+        <translation>Elija una carpeta de fotografías o una capa con sus rutas, pero no ambas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>To find the clock's offset from the skylines, choose an elevation model.</source>
+        <translation>Para determinar el desfase del reloj a partir de las líneas del horizonte, elija un modelo de elevación.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>{placed} of {count} photos have a position.</source>
+        <translation>{placed} de {count} fotos tienen posición.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time.</source>
+        <translation>La foto no registra ninguna hora.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time zone. Give the time zone of the camera's clock.</source>
+        <translation>La foto no registra la zona horaria. Indique la zona horaria del reloj de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>from the track</source>
+        <translation>del track</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Error de la posición (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time between the track points around the photo (s)</source>
+        <translation>Tiempo entre los puntos del track que rodean la foto (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Where the position comes from, or why there is none</source>
+        <translation>De dónde procede la posición, o por qué no la hay</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -2267,6 +2434,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Field with the error of the position (m)</source>
+        <translation>Campo con el error de la posición (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Standard deviation, as Position photos from a track writes it. NULL: a few metres, as GPS has in the open.</source>
+        <translation>Desviación estándar, tal como la escribe «Situar fotos a partir de un track». NULL: unos pocos metros, como el GPS a cielo abierto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Horizontal field of view of all photos (°)</source>
         <translation>Campo de visión horizontal de todas las fotos (°)</translation>
     </message>
@@ -2302,9 +2479,30 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../core/api.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
+        <source>Photographs that help one another</source>
+        <translation>Fotografías que se ayudan entre sí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} fotos mejoraron gracias a sus vecinas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Orientar juntas las fotos de una caminata</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Las fotos aceptadas ayudan a aquellas que ninguna línea del horizonte decide por sí sola: mediante rasgos comunes, donde la cámara solo giró (requiere OpenCV), y mediante el error de la brújula, que una cámara mantiene durante una hora. Las respuestas aceptadas no cambian. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2918,6 +3116,51 @@
         <translation>La capa de cimas no tiene el campo {field}. Elija el campo con los nombres.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (GPX file)</source>
+        <translation>Track (archivo GPX)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>A recorded track with times. Choose either a file or a layer.</source>
+        <translation>Un track grabado con horas. Elija un archivo o una capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (layer)</source>
+        <translation>Track (capa)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Points with a time, or lines whose M values are seconds since 1970 (UTC).</source>
+        <translation>Puntos con una hora, o líneas cuyos valores M son segundos desde 1970 (UTC).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Field with the time</source>
+        <translation>Campo con la hora</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Date and time of each track point; without a time zone they count as UTC. Empty: a field named time.</source>
+        <translation>Fecha y hora de cada punto del track; sin zona horaria se consideran UTC. Vacío: un campo llamado time.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Choose the track: either a GPX file or a layer.</source>
+        <translation>Elija el track: un archivo GPX o una capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The lines of the track have no M values with times. Choose a layer of points, or a GPX file.</source>
+        <translation>Las líneas del track no tienen valores M con horas. Elija una capa de puntos o un archivo GPX.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The track has no field with times. Choose the field that holds them.</source>
+        <translation>El track no tiene ningún campo con horas. Elija el campo que las contiene.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/viewer.py"/>
         <source>Cancelled after {done} of {count} viewsheds.</source>
         <translation>Cancelado tras {done} de {count} cuencas visuales.</translation>
@@ -3225,6 +3468,21 @@
         <location filename="../algorithms/shared/visibility.py"/>
         <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
         <translation>Se desconoce el cabeceo o el ángulo de visión vertical: se muestra el sector de visión, no el encuadre de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Processes that work on different photographs at the same time, each with up to 700 MB of memory. 0: all cores but one, as far as memory allows. 1: no further process. The results are the same. If QGIS finds no Python interpreter to start, a warning says so and one process does the work.</source>
+        <translation>Procesos que trabajan a la vez en fotografías distintas, cada uno con hasta 700 MB de memoria. 0: todos los núcleos menos uno, en la medida en que lo permita la memoria. 1: ningún proceso adicional. Los resultados son los mismos. Si QGIS no encuentra un intérprete de Python que iniciar, un aviso lo indica y un solo proceso hace el trabajo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Worker processes</source>
+        <translation>Procesos de trabajo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>{count} processes share the work.</source>
+        <translation>{count} procesos se reparten el trabajo.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -5057,6 +5315,11 @@
         <translation>El MDE {path} está girado respecto de su SRC. Transfórmelo antes a una malla orientada al norte (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/gpx.py"/>
+        <source>The track {path} has no points. Choose a GPX file with a recorded track.</source>
+        <translation>El track {path} no tiene puntos. Elija un archivo GPX con un track grabado.</translation>
+    </message>
+    <message>
         <location filename="../core/io/height_unit.py"/>
         <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
         <translation>Los valores del MDE están en {unit}, que no es una unidad de altura conocida aquí. Elija un ráster de elevación o indique la unidad de sus alturas (DEM_UNIT).</translation>
@@ -5095,6 +5358,11 @@
         <location filename="../core/io/lens_tags.py"/>
         <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
         <translation>El equivalente en 35 mm registrado no incluye el zoom digital: se usaron {used} mm en lugar de {recorded} mm.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/local_copy.py"/>
+        <source>the file cannot be opened</source>
+        <translation>no se puede abrir el archivo</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -5231,6 +5499,21 @@
         <location filename="../core/io/write_raster.py"/>
         <source>the disk may be full</source>
         <translation>puede que el disco esté lleno</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>Features that it shares with {photos} gave the approximate heading.</source>
+        <translation>Los rasgos que comparte con {photos} dieron el rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
+        <translation>La brújula, corregida por su error de {error}° en {count} fotos de la misma hora (como {photo}), dio el rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5859,6 +6142,46 @@
         <translation>La imagen no muestra ninguna línea de montañas: sus líneas son horizontales y verticales, como en una habitación.</translation>
     </message>
     <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>No se puede determinar el reloj: solo {count} fotos con hora muestran una línea del horizonte y se necesitan {least}. Indique el desfase del reloj.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined from the skylines: other offsets fit as well. Give the clock's offset, or more photos with a clear skyline from different places.</source>
+        <translation>No se puede determinar el reloj a partir de las líneas del horizonte: otros desfases encajan igual de bien. Indique el desfase del reloj, o añada fotos con una línea del horizonte clara desde lugares distintos.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
+        <translation>El reloj de la cámara adelanta {offset} s, con una desviación estándar de {sigma} s; {count} fotos coinciden.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has fewer than two points with a time. Choose a recorded track, not a planned route.</source>
+        <translation>El track tiene menos de dos puntos con hora. Elija un track grabado, no una ruta planificada.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} before the track begins.</source>
+        <translation>La foto se tomó {time} antes de que empiece el track.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} after the track ends.</source>
+        <translation>La foto se tomó {time} después de que termine el track.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has a gap of {time} around the photo.</source>
+        <translation>El track tiene un hueco de {time} alrededor de la foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/zone.py"/>
+        <source>The time zone {text} is not known. Write it as +05:45 or as Asia/Kathmandu.</source>
+        <translation>La zona horaria {text} no se conoce. Escríbala como +05:45 o como Asia/Kathmandu.</translation>
+    </message>
+    <message>
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
         <translation>El sistema de coordenadas del MDE deforma aquí demasiado las líneas de visión. Use un MDE en un sistema de coordenadas proyectado, como UTM.</translation>
@@ -5867,6 +6190,16 @@
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
         <translation>El sistema de coordenadas del MDE curva aquí demasiado las líneas de visión (cerca de un polo de su malla). Use un MDE en un sistema proyectado, como UTM o estereográfico polar.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/pool.py"/>
+        <source>The process that worked on this photo ended unexpectedly, perhaps because memory ran out. Run this photo again by itself, or set a smaller number of worker processes.</source>
+        <translation>El proceso que trabajaba en esta foto terminó inesperadamente, quizá por falta de memoria. Vuelva a procesar esta foto sola o elija menos procesos de trabajo.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/team.py"/>
+        <source>No worker processes could be started ({reason}), so one process does all the work.</source>
+        <translation>No se pudieron iniciar procesos de trabajo ({reason}), por lo que un solo proceso hace todo el trabajo.</translation>
     </message>
 </context>
 </TS>

@@ -34,6 +34,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Folder of photographs</source>
         <translation>Dossier de photos</translation>
@@ -42,6 +43,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
         <translation>Inclure les sous-dossiers</translation>
     </message>
@@ -167,6 +169,7 @@
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
         <translation>Cherche aussi dans tous les sous-dossiers.</translation>
     </message>
@@ -633,6 +636,7 @@
         <location filename="../algorithms/orient_photos.py"/>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
         <source>Number of photos</source>
@@ -727,13 +731,6 @@
         <location filename="../algorithms/extract_skyline.py"/>
         <source>Number of skylines</source>
         <translation>Nombre de lignes d'horizon</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/extract_skyline.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
     </message>
     <message>
         <location filename="../algorithms/extract_skyline.py"/>
@@ -1769,6 +1766,176 @@
         <translation>Nombre d'entités qui ne montrent aucun terrain</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Position photos from a track</source>
+        <translation>Positionner des photos d’après une trace</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>photo,gps,gpx,track,time,clock,geotag,position,exif,time zone</source>
+        <translation>photo,gps,gpx,trace,heure,horloge,géolocalisation,position,exif,fuseau horaire</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Points of photographs without GPS, from the times of a recorded track</source>
+        <translation>Points de photographies sans GPS, d’après les heures d’une trace enregistrée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Crée un point par photographie, au lieu de la trace à l’heure de la prise de vue. L’erreur du point (&lt;b&gt;pos_err&lt;/b&gt;) croît avec l’intervalle entre les points de trace qui l’entourent ; &lt;i&gt;Orienter des photos&lt;/i&gt; en tient compte. Là où la trace ne contient rien, le point n’a pas de géométrie et &lt;b&gt;pos_note&lt;/b&gt; en donne la raison.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Les appareils enregistrent l’heure locale. Le fuseau horaire est lu dans le fichier ou pris dans le paramètre. Si l’horloge était déréglée, donnez son décalage ou faites-le déterminer &lt;i&gt;d’après les lignes d’horizon&lt;/i&gt; : il faut un modèle d’élévation et au moins trois photographies avec une ligne d’horizon nette, prises de lieux différents. Si d’autres décalages conviennent aussi bien, aucune photographie n’est positionnée et un avertissement l’indique.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>JPEG and HEIC files; a GPS position is not needed.</source>
+        <translation>Fichiers JPEG et HEIC ; une position GPS n’est pas nécessaire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Layer or table with the paths of the photographs, in place of a folder.</source>
+        <translation>Couche ou table contenant les chemins des photographies, à la place d’un dossier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time zone of the camera's clock</source>
+        <translation>Fuseau horaire de l’horloge de l’appareil</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>For example +05:45 or Asia/Kathmandu. Empty: as the photograph records it.</source>
+        <translation>Par exemple +05:45 ou Asia/Kathmandu. Vide : celui qu’enregistre la photographie.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Camera's clock</source>
+        <translation>Horloge de l’appareil</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>as given</source>
+        <translation>comme indiqué</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>find its offset from the skylines</source>
+        <translation>déterminer son décalage d’après les lignes d’horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
+        <translation>Les lignes d’horizon montrent où les photographies ont été prises, donc de combien l’horloge avance.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Clock is ahead by (s)</source>
+        <translation>L’horloge avance de (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Secondes dont l’horloge de l’appareil avance sur l’heure vraie ; négatif si elle retarde.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Needed only to find the clock's offset from the skylines.</source>
+        <translation>Nécessaire seulement pour déterminer le décalage de l’horloge d’après les lignes d’horizon.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Longest time between two track points that is interpolated; beyond the track's ends, half of it.</source>
+        <translation>Durée maximale entre deux points de trace qui est interpolée ; au-delà de ses extrémités, la moitié.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Interpolation limit (s)</source>
+        <translation>Limite d’interpolation (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the track's points.</source>
+        <translation>Écart-type des points de la trace.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the track (m)</source>
+        <translation>Erreur de la trace (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
+        <translation>Un point par photographie, avec son erreur et sa provenance ; sans géométrie là où il n’y en a pas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Positioned photos</source>
+        <translation>Photos positionnées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Number of photos with a position</source>
+        <translation>Nombre de photos avec une position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Offset of the clock that was used (s)</source>
+        <translation>Décalage de l’horloge qui a été utilisé (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Standard deviation of the clock's offset (s)</source>
+        <translation>Écart-type du décalage de l’horloge (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Choose either a folder of photographs or a layer with their paths.</source>
+        <translation>Choisissez soit un dossier de photographies, soit une couche contenant leurs chemins.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>To find the clock's offset from the skylines, choose an elevation model.</source>
+        <translation>Pour déterminer le décalage de l’horloge d’après les lignes d’horizon, choisissez un modèle d’élévation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>{placed} of {count} photos have a position.</source>
+        <translation>{placed} photos sur {count} ont une position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time.</source>
+        <translation>La photo n’enregistre pas d’heure.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>The photo records no time zone. Give the time zone of the camera's clock.</source>
+        <translation>La photo n’enregistre pas de fuseau horaire. Indiquez le fuseau horaire de l’horloge de l’appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>from the track</source>
+        <translation>d’après la trace</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Erreur de la position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Time between the track points around the photo (s)</source>
+        <translation>Durée entre les points de trace autour de la photo (s)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Where the position comes from, or why there is none</source>
+        <translation>Provenance de la position, ou raison de son absence</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -2267,6 +2434,16 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Field with the error of the position (m)</source>
+        <translation>Champ contenant l’erreur de la position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Standard deviation, as Position photos from a track writes it. NULL: a few metres, as GPS has in the open.</source>
+        <translation>Écart-type, tel que l’écrit « Positionner des photos d’après une trace ». NULL : quelques mètres, comme le GPS à découvert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>Horizontal field of view of all photos (°)</source>
         <translation>Champ de vision horizontal de toutes les photos (°)</translation>
     </message>
@@ -2302,9 +2479,30 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../core/api.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
+        <source>Photographs that help one another</source>
+        <translation>Photographies qui s’aident mutuellement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} photos ont profité de leurs voisines.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Orienter ensemble les photos d’une randonnée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Les photos acceptées aident celles qu’aucune ligne d’horizon ne départage seule : par des points communs, là où l’appareil n’a fait que tourner (nécessite OpenCV), et par l’erreur de la boussole, qu’un appareil conserve pendant une heure. Les réponses acceptées ne changent pas. Tous les résultats restent en mémoire jusqu’à la fin, environ 3 Mo par photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2918,6 +3116,51 @@
         <translation>La couche de sommets n'a pas de champ {field}. Choisissez le champ des noms.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (GPX file)</source>
+        <translation>Trace (fichier GPX)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>A recorded track with times. Choose either a file or a layer.</source>
+        <translation>Une trace enregistrée avec des heures. Choisissez soit un fichier, soit une couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Track (layer)</source>
+        <translation>Trace (couche)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Points with a time, or lines whose M values are seconds since 1970 (UTC).</source>
+        <translation>Points avec une heure, ou lignes dont les valeurs M sont des secondes depuis 1970 (UTC).</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Field with the time</source>
+        <translation>Champ contenant l’heure</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Date and time of each track point; without a time zone they count as UTC. Empty: a field named time.</source>
+        <translation>Date et heure de chaque point de trace ; sans fuseau horaire, elles sont en UTC. Vide : un champ nommé time.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>Choose the track: either a GPX file or a layer.</source>
+        <translation>Choisissez la trace : soit un fichier GPX, soit une couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The lines of the track have no M values with times. Choose a layer of points, or a GPX file.</source>
+        <translation>Les lignes de la trace n’ont pas de valeurs M donnant l’heure. Choisissez une couche de points ou un fichier GPX.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/track_input.py"/>
+        <source>The track has no field with times. Choose the field that holds them.</source>
+        <translation>La trace n’a pas de champ contenant des heures. Choisissez le champ qui les contient.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/viewer.py"/>
         <source>Cancelled after {done} of {count} viewsheds.</source>
         <translation>Annulé après {done} bassins visuels sur {count}.</translation>
@@ -3225,6 +3468,21 @@
         <location filename="../algorithms/shared/visibility.py"/>
         <source>Pitch or vertical field of view is unknown: the heading wedge is shown, not the photo's frame.</source>
         <translation>Le tangage ou l'angle de champ vertical est inconnu : c'est le secteur de visée qui est montré, pas le cadre de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Processes that work on different photographs at the same time, each with up to 700 MB of memory. 0: all cores but one, as far as memory allows. 1: no further process. The results are the same. If QGIS finds no Python interpreter to start, a warning says so and one process does the work.</source>
+        <translation>Processus qui traitent en même temps des photographies différentes, chacun avec jusqu’à 700 Mo de mémoire. 0 : tous les cœurs sauf un, dans la limite de la mémoire. 1 : aucun processus supplémentaire. Les résultats sont les mêmes. Si QGIS ne trouve pas d’interpréteur Python à lancer, un avertissement l’indique et un seul processus fait le travail.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>Worker processes</source>
+        <translation>Processus de travail</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/workers.py"/>
+        <source>{count} processes share the work.</source>
+        <translation>{count} processus se partagent le travail.</translation>
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -5057,6 +5315,11 @@
         <translation>Le MNT {path} est tourné par rapport à son SCR. Projetez-le d'abord sur une grille orientée au nord (gdalwarp).</translation>
     </message>
     <message>
+        <location filename="../core/io/gpx.py"/>
+        <source>The track {path} has no points. Choose a GPX file with a recorded track.</source>
+        <translation>La trace {path} n’a pas de points. Choisissez un fichier GPX contenant une trace enregistrée.</translation>
+    </message>
+    <message>
         <location filename="../core/io/height_unit.py"/>
         <source>The values of the DEM are in {unit}, which is not a unit of height that is known here. Choose an elevation raster, or set the unit of its heights (DEM_UNIT).</source>
         <translation>Les valeurs du MNT sont en {unit}, qui n'est pas une unité d'altitude connue ici. Choisissez un raster d'altitudes, ou indiquez l'unité de ses altitudes (DEM_UNIT).</translation>
@@ -5095,6 +5358,11 @@
         <location filename="../core/io/lens_tags.py"/>
         <source>The recorded 35 mm equivalent leaves out the digital zoom: {used} mm was used instead of {recorded} mm.</source>
         <translation>L'équivalent 35 mm enregistré ne tient pas compte du zoom numérique : {used} mm a été utilisé au lieu de {recorded} mm.</translation>
+    </message>
+    <message>
+        <location filename="../core/io/local_copy.py"/>
+        <source>the file cannot be opened</source>
+        <translation>le fichier ne peut pas être ouvert</translation>
     </message>
     <message>
         <location filename="../core/io/metadata.py"/>
@@ -5231,6 +5499,21 @@
         <location filename="../core/io/write_raster.py"/>
         <source>the disk may be full</source>
         <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>Features that it shares with {photos} gave the approximate heading.</source>
+        <translation>Les points communs avec {photos} ont donné le cap approximatif.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/hints.py"/>
+        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
+        <translation>La boussole, corrigée de son erreur de {error}° sur {count} photos de la même heure (comme {photo}), a donné le cap approximatif.</translation>
+    </message>
+    <message>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5859,6 +6142,46 @@
         <translation>L'image ne montre aucune ligne de montagnes : ses lignes sont horizontales et verticales, comme dans une pièce.</translation>
     </message>
     <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>L’horloge ne peut pas être déterminée : seules {count} photos datées montrent une ligne d’horizon, il en faut {least}. Indiquez le décalage de l’horloge.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The clock cannot be determined from the skylines: other offsets fit as well. Give the clock's offset, or more photos with a clear skyline from different places.</source>
+        <translation>L’horloge ne peut pas être déterminée d’après les lignes d’horizon : d’autres décalages conviennent aussi bien. Indiquez le décalage de l’horloge, ou ajoutez des photos avec une ligne d’horizon nette prises de lieux différents.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/clock.py"/>
+        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
+        <translation>L’horloge de l’appareil avance de {offset} s, avec un écart-type de {sigma} s ; {count} photos concordent.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has fewer than two points with a time. Choose a recorded track, not a planned route.</source>
+        <translation>La trace a moins de deux points avec une heure. Choisissez une trace enregistrée, pas un itinéraire prévu.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} before the track begins.</source>
+        <translation>La photo a été prise {time} avant le début de la trace.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The photo was taken {time} after the track ends.</source>
+        <translation>La photo a été prise {time} après la fin de la trace.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/track.py"/>
+        <source>The track has a gap of {time} around the photo.</source>
+        <translation>La trace a un trou de {time} autour de la photo.</translation>
+    </message>
+    <message>
+        <location filename="../core/track/zone.py"/>
+        <source>The time zone {text} is not known. Write it as +05:45 or as Asia/Kathmandu.</source>
+        <translation>Le fuseau horaire {text} n’est pas connu. Écrivez-le sous la forme +05:45 ou Asia/Kathmandu.</translation>
+    </message>
+    <message>
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected coordinate system, such as UTM.</source>
         <translation>Le système de coordonnées du MNT déforme ici trop les lignes de visée. Utilisez un MNT dans un système de coordonnées projeté, comme UTM.</translation>
@@ -5867,6 +6190,16 @@
         <location filename="../core/viewshed/geometry.py"/>
         <source>The DEM's coordinate system bends sight lines too strongly here (close to a pole of its grid). Use a DEM in a projected coordinate system, such as UTM or polar stereographic.</source>
         <translation>Le système de coordonnées du MNT courbe ici trop les lignes de visée (près d'un pôle de sa grille). Utilisez un MNT dans un système projeté, comme UTM ou stéréographique polaire.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/pool.py"/>
+        <source>The process that worked on this photo ended unexpectedly, perhaps because memory ran out. Run this photo again by itself, or set a smaller number of worker processes.</source>
+        <translation>Le processus qui traitait cette photo s’est arrêté de façon inattendue, peut-être par manque de mémoire. Traitez de nouveau cette photo seule, ou choisissez moins de processus de travail.</translation>
+    </message>
+    <message>
+        <location filename="../core/workers/team.py"/>
+        <source>No worker processes could be started ({reason}), so one process does all the work.</source>
+        <translation>Aucun processus de travail n’a pu être lancé ({reason}) ; un seul processus fait tout le travail.</translation>
     </message>
 </context>
 </TS>
