@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from qgis.core import Qgis, QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
@@ -30,7 +31,7 @@ class SkylineViewshedPlugin:
 
     def __init__(self, iface):  # noqa: QGS105 (QGIS itself passes it)
         self.iface = iface
-        self.provider = None
+        self.provider: Any = None
         self.translator = None
         self.start = self.dialog = None
         self.photo_view = self.photo_view_action = None

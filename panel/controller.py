@@ -265,7 +265,8 @@ class PhotoView:
         """Draw the overlays of the present state."""
         draft = self.session.draft
         brush = draft.brush if draft else ()
-        self.dock.canvas.show_overlays(*drawn(self.session, self.dock.shown, self.terrestrials.found), brush)
+        lines, labels = drawn(self.session, self.dock.shown, self.terrestrials.found)
+        self.dock.canvas.show_overlays(lines, labels, brush)
 
     def _show_marks(self, *_):
         if self.dock.isVisible():

@@ -77,7 +77,7 @@ class Figures:
         self.view.dock.canvas.sketch = []
         if pixel is None or not self.view.correction.possible:
             return
-        self.view.correction.add_landmark(LandmarkHint(*pixel, longitude_deg, latitude_deg))
+        self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg))
         count = len(self.view.session.draft.landmarks)
         self.view.dock.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
 
@@ -151,7 +151,7 @@ class Figures:
         crs = view.session.dem.source.crs
         layer = drawing.target_layer(kind, view.iface.activeLayer(), view.project, crs)
         try:
-            drawing.add_figure(layer, kind, *row, crs)
+            drawing.add_figure(layer, kind, row[0], row[1], crs)
         except NotEditableError as error:
             view.dock.say(str(error))
             return

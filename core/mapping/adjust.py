@@ -222,7 +222,7 @@ def horizon_marks(terrain, horizon, frame, camera, pose):
     azimuth, angle = np.asarray(horizon.azimuth_deg, float), np.asarray(horizon.elevation_deg, float)
     x, y = project(camera, pose, azimuth, angle)
     shown = np.flatnonzero(in_frame(camera, x, y) & np.isfinite(horizon.distance_m))
-    marks = []
+    marks: list[tuple[float, ...]] = []
     for share in (0.1, 0.3, 0.5, 0.7, 0.9):
         if not shown.size:
             break

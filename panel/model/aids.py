@@ -11,6 +11,7 @@ import csv
 import io
 import json
 from pathlib import Path
+from typing import Any
 
 from qgis.core import QgsProviderRegistry
 
@@ -73,11 +74,13 @@ def read_aids(folder, path):
     from ...core.skyline.repair import BrushStroke
 
     marks = tuple(
-        LandmarkHint(values["x"], values["y"], *place["coordinates"][:2], values.get("elevation"))
+        LandmarkHint(
+            values["x"], values["y"], place["coordinates"][0], place["coordinates"][1], values.get("elevation")
+        )
         for values, place in ((feature["properties"], feature["geometry"]) for feature in _landmarks(folder))
         if means(values["photo"], path)
     )
-    drawn = next((drawn for name, drawn in _drawings(folder).items() if means(name, path)), {})
+    drawn: dict[str, Any] = next((drawn for name, drawn in _drawings(folder).items() if means(name, path)), {})
     strokes = tuple(tuple(map(tuple, stroke)) for stroke in drawn.get("strokes", []))
     brush = tuple(BrushStroke(tuple(map(tuple, s["points"])), s["radius"]) for s in drawn.get("brush", []))
     return marks, strokes, bool(drawn.get("anew", False)), brush

@@ -167,7 +167,8 @@ def place_of(ground, posed, x_px, y_px):
     longitude, latitude = _positions(ground.terrain, view.frame, east, north)
     ellipse = None if ring is None else _positions(ground.terrain, view.frame, east + ring[0], north + ring[1])
     numbers = hits.elevation_m[0], hits.distance_m[0], errors.near_m[0], errors.far_m[0]
-    return Place(state, *direction, float(longitude), float(latitude), *map(float, numbers), ellipse)
+    values: list[Any] = [*direction, float(longitude), float(latitude), *map(float, numbers), ellipse]
+    return Place(state, *values)
 
 
 def _ring(major_m, minor_m, azimuth_deg):
@@ -291,4 +292,5 @@ def places_of(ground, posed, points):
     columns = (
         placed.azimuth_deg, placed.elevation_deg, longitude, latitude, hits.elevation_m, hits.distance_m
     )  # fmt: skip
-    return [Place(STATE_NAMES[int(hits.state[k])], *(float(column[k]) for column in columns)) for k in range(len(x))]
+    rows: list[list[Any]] = [[float(column[k]) for column in columns] for k in range(len(x))]
+    return [Place(STATE_NAMES[int(state)], *row) for state, row in zip(hits.state, rows)]

@@ -115,7 +115,7 @@ class Lane(QObject):
 
     def _deliver(self, job):
         with self._changed:
-            if job.stale or self._latest.get(job.key) is not job:
+            if job.stale or id(self._latest.get(job.key)) != id(job):
                 return
             del self._latest[job.key]
         if job.fault is None:

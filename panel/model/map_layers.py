@@ -121,7 +121,9 @@ def traces_of(readings, item, ground, camera, pose):
         features.terrain = ground.terrain  # that of this thread
         named, strokes = features.add(photo)
         names += [(point.words, *map(float, view.ray_of(point.x_px, point.y_px))) for point in named]
-        traces += [Trace("map", *view.ray_of(stroke.x_px, stroke.y_px), stroke.visible) for stroke in strokes]
+        for stroke in strokes:
+            azimuth, elevation = view.ray_of(stroke.x_px, stroke.y_px)
+            traces.append(Trace("map", azimuth, elevation, stroke.visible))
     return traces, names
 
 

@@ -90,7 +90,8 @@ def drawn(session, shown, terrestrial):
     draft, ground = session.draft, session.ground
     if draft is None:
         return [], []
-    lines, labels = [], []
+    lines: list[Line] = []
+    labels: list[Label] = []
     camera, pose = draft.camera, draft.pose
     if SKYLINE in shown and session.evidence is not None:
         lines += _skyline(session)

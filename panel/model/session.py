@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from dataclasses import replace
+from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
@@ -66,6 +67,15 @@ class Session(QObject):
     live : Draft or None
         State during a drag, which no step of the history has yet.
     """
+
+    photos: Any
+    dem: Any
+    item: Any
+    picture: Any
+    ground: Any
+    evidence: Any
+    live: Any
+    history: Any
 
     photo_changed = pyqtSignal()
     picture_changed = pyqtSignal()
@@ -246,7 +256,9 @@ class Session(QObject):
         except SkylineViewshedError as error:
             self.told.emit(in_users_language(error.message))
             aids = ((), (), False, ())
-        self.history = History(Draft(camera, self.item.pose, *aids, lens_known=lens_known))
+        marks, strokes, anew, brush = aids
+        first = Draft(camera, self.item.pose, marks, strokes, anew, brush, lens_known=lens_known)
+        self.history = History(first)
         self._histories[fid] = self.history
         if len(self._histories) > MOST_DRAFTS:
             oldest = next((key for key, history in self._histories.items() if not history.changed), None)
@@ -259,5 +271,6 @@ class Session(QObject):
         if is_field_of_view(hfov):
             return pinhole(hfov, self.item.values["VFOV_FIELD"], size_px), True
         if focal_length_35mm:
-            return Camera(*size_px, focal_from_35mm_px(*size_px, focal_length_35mm)), True
+            width, height = size_px
+            return Camera(width, height, focal_from_35mm_px(width, height, focal_length_35mm)), True
         return assumed_camera(*size_px), False

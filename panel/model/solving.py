@@ -77,7 +77,7 @@ def _request(item, draft, ground, evidence, free, folder):
         aids = {"heading_deg": draft.pose.heading_deg, "heading_tolerance_deg": TOLERANCE_DEG}
         if not free:
             sigma = max(draft.camera.width_px, draft.camera.height_px) / ANCHOR_SHARE
-            landmarks += [LandmarkHint(*mark, sigma) for mark in anchors(draft, ground)]
+            landmarks += [LandmarkHint(x, y, lon, lat, z, sigma) for x, y, lon, lat, z in anchors(draft, ground)]
     line, rows = skyline_of(draft, evidence)
     if line is not None:
         aids["drawn_skyline"] = line

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from qgis.core import (
     QgsApplication,
     QgsFeatureRequest,
@@ -38,7 +40,8 @@ class ViewshedRun:
         self._correct(values)
         self.context, self.feedback = QgsProcessingContext(), QgsProcessingFeedback()
         self.context.setProject(project)
-        self.told, self.task = None, None
+        self.told: Any = None
+        self.task: Any = None
         self.parameters = {
             "INPUT": self.points,
             "DEM": dem_layer,

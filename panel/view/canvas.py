@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from qgis.PyQt.QtCore import QPointF, QRectF, QSizeF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QTextOption
@@ -55,9 +57,15 @@ class PictureCanvas(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(240, 160)
         self.setAccessibleName(tr("Photograph"))
-        self.tool = None
-        self.levels, self.size_px, self.lines, self.labels, self.brush = (), None, [], [], ()
-        self.sketch, self.spot, self.notice = [], None, ""
+        self.tool: Any = None
+        self.levels: Any = ()
+        self.size_px: Any = None
+        self.lines: list[Any] = []
+        self.labels: list[Any] = []
+        self.brush: tuple[Any, ...] = ()
+        self.sketch: list[Any] = []
+        self.spot: Any = None
+        self.notice = ""
         self.scale, self.origin = 1.0, QPointF(0.0, 0.0)
         self._fitted, self._background, self._grip = True, None, None
 
@@ -186,7 +194,7 @@ class PictureCanvas(QWidget):
             self._paint_brush(painter)
         for line in (*self.lines, *self.sketch):
             self._paint_line(painter, line)
-        taken = []
+        taken: list[Any] = []
         for label in self.labels:
             self._paint_label(painter, label, taken)
         if self.spot is not None:

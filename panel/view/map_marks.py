@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -28,7 +30,7 @@ class MapMarks:
 
     def __init__(self, canvas):
         self.canvas = canvas
-        self._wanted = {}
+        self._wanted: dict[str, Any] = {}
         self._wedge = self._band(POLYGON, "#ff3b30", 2, 30)
         self._ellipse = self._band(POLYGON, "#34c3ff", 2, 60)
         self._figure = self._band(LINE, "#4cff88", 2, 40)
@@ -121,7 +123,8 @@ class MapMarks:
         self.show_figure(self._wanted.get("figure"))
         self.show_ground(*self._wanted.get("ground", (None, None)))
         if "place" in self._wanted:
-            self.show_place(*self._wanted["place"], self._wanted.get("ellipse"))
+            longitude, latitude = self._wanted["place"]
+            self.show_place(longitude, latitude, self._wanted.get("ellipse"))
 
     def clear(self):
         """Show nothing."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPen, QPolygonF, QTextOption
@@ -45,7 +46,7 @@ class SpotMark:
     camera : Camera
     """
 
-    spot: object
+    spot: Any
     camera: Camera
 
     def paint(self, canvas, painter):
