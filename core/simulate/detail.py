@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
-from ..core.base.frame import LocalFrame
-from ..core.base.terrain import Terrain, Window
-from .mountains import roughness
+from ..base.frame import LocalFrame
+from ..base.terrain import Terrain, Window
+from .roughness import roughness
 
 MARGIN_CELLS = 6
 """Coarse cells read around a window, so that its edge does not affect the filters."""
