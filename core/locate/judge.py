@@ -22,6 +22,9 @@ TABLE_PATH = Path(__file__).with_name("calibration.json")
 APART_M = 1_000.0
 """Places farther than this from the best one are other answers [m]."""
 
+RIGHT_M = 500.0
+"""A place is right within this distance of the truth [m]."""
+
 LARGEST_STANDARD = 2.5
 """Features are clipped at this many standard deviations."""
 
@@ -93,7 +96,7 @@ def table():
 
 
 def p_correct(facts, calibration=None):
-    """Probability that the best place is within 500 m and its heading within 3 degrees of the truth."""
+    """Probability that the best place is within a kilometre of the truth and its heading within 3 degrees."""
     calibration = calibration or table()
     values, total = facts.features, calibration["bias"]
     for name, entry in calibration["features"].items():
@@ -110,6 +113,25 @@ def gap_of(found):
         if distance_m(found, 0, other) > APART_M:
             return float(found.score[0] - found.score[other])
     return float(found.score[0] - found.score[-1])
+
+
+def near_share(found, temperature=None):
+    """Share of the best place in the likelihood of all candidates near it, those within `RIGHT_M` of it included.
+
+    Along the line of sight, a place and the field of view nearly make up for one another, so that a second place some
+    hundred metres away may fit as well.
+
+    Parameters
+    ----------
+    found : FittedPlaces
+        Candidates, best first.
+    temperature : float or None
+        Worth of a unit of score; None takes the calibrated one.
+    """
+    worth = table()["temperature"] if temperature is None else temperature
+    away = np.array([distance_m(found, 0, other) for other in range(len(found.score))])
+    likelihood = np.exp(worth * (found.score - found.score[0]))
+    return float(likelihood[away <= RIGHT_M].sum() / likelihood[away <= APART_M].sum())
 
 
 def shares(score, best_probability, temperature=None):

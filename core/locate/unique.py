@@ -155,7 +155,7 @@ def ambiguities(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptio
         mean = np.minimum(np.square(misfit), options.cap**2).mean(axis=1)
         likelihood = np.exp(-0.5 * options.effective_columns * mean)
         # Neighbouring directions fit together; only the best of each group is an answer of its own.
-        peak = (mean <= np.roll(mean, 1)) & (mean < np.roll(mean, -1))
+        peak = (mean <= np.roll(mean, 1)) & (mean <= np.roll(mean, -1))
         away = np.roll(other_deg, first) > SAME_DEG
         ambiguity[first] = likelihood[peak & away].sum()
         steep = weight * slope[around[first]]
