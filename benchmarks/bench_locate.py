@@ -1,8 +1,9 @@
 """Locate photographs of known position with their position withheld: `make bench-locate [DATA=../shared/data]`.
 
-Each photograph is searched in 20 x 20 km around a point up to 7 km off its place in either direction, and in an area of
-another range, in which every answer is wrong. Writes one row for each search to `build/locate.jsonl` and continues where
-an earlier run stopped; `tools/fit_locate.py` fits the calibration from these rows. Indices are kept in `build/locate`.
+Each photograph is searched in 20 x 20 km around a point up to 7 km off its place in either direction, and in an area
+of another range, in which every answer is wrong. Writes one row for each search to `build/locate.jsonl` and continues
+where an earlier run stopped; `tools/fit_locate.py` fits the calibration from these rows. Indices are kept in
+`build/locate`.
 """
 
 from __future__ import annotations
@@ -155,8 +156,8 @@ def line_of(row):
     away = ", ".join(f"{value:.0f}" for value in row["d"][:3])
     chance = "-" if row["p"] is None else f"{row['p']:.2f}"
     return (
-        f"{row['photo'][:26]:26} {row['kind']:5} in {row['reg']:11} hfov {row['hfov']:3.0f}  {row['status']:9} p {chance}"
-        f"  m away {away}  {row['cpu']:.1f} s"
+        f"{row['photo'][:26]:26} {row['kind']:5} in {row['reg']:11} hfov {row['hfov']:3.0f}  {row['status']:9}"
+        f" p {chance}  m away {away}  {row['cpu']:.1f} s"
     )
 
 

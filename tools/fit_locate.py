@@ -44,8 +44,8 @@ def main(arguments=None):
     model = fit(values, right)
     kinds = {kind: sum(case["kind"] == kind for case in cases) for kind in ("own", "other", "derived")}
     table = {
-        "origin": f"tools/fit_locate.py on {kinds['own']} searches of the right area, {kinds['other']} of other ranges, "
-        f"and {kinds['derived']} derived from the first",
+        "origin": f"tools/fit_locate.py on {kinds['own']} searches of the right area, {kinds['other']} of other "
+        f"ranges, and {kinds['derived']} derived from the first",
         "bias": round(model[2][0], 3),
         "temperature": 6.5,
         "region_temperature": 6.5,
