@@ -50,8 +50,8 @@ class PositionCheck(DemAlgorithm):
                 "the way there in metres to the east and north. Positions are reported and never changed."
             ),
             tr(
-                "A skyline of far mountains says little about a position: its <i>believable</i> only means that no "
-                "place nearby fits much better. The error ellipse says how well the skyline fixes the better place."
+                "A skyline of far mountains says little about a position: a <i>believable</i> verdict only means that "
+                "no place nearby fits much better. The error ellipse says how well the skyline fixes the better place."
             ),
         ]
 

@@ -27,4 +27,4 @@ def test_photographs_are_simulated_and_judged(run, scene, tmp_path):
 
 def test_the_fields_of_view_must_be_in_order(refusal, scene):
     given = {"INPUT": place_of(scene), "DEM": str(scene.dem), "HFOV_MIN": 60.0, "HFOV_MAX": 40.0}
-    assert "must not be wider" in refusal("expectedaccuracy", given)
+    assert "must not be wider" in refusal("expectedaccuracy", {**given, "OUTPUT": "memory:"})

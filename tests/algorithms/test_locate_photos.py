@@ -126,7 +126,8 @@ def test_bad_photographs_fail_with_a_sentence_and_the_others_go_on(run, scene, s
 
 def test_unusable_areas_are_refused(refusal, run, scene, setting):
     given = {"FOLDER": str(scene.folder), "DEM": str(scene.dem), "OUTPUT": "memory:"}
-    assert "Choose where to search" in refusal("locatephotos", given)
+    none = {"CANDIDATES": None, "REGION": None, "REPORT": None}
+    assert "Choose where to search" in refusal("locatephotos", {**given, **none})
     with pytest.raises(QgsProcessingException, match="lies inside the DEM"):
         run("locatephotos", {**setting, **given, "EXTENT": "20,20.1,10,10.1 [EPSG:4326]"})
     tight = {**setting, **given, "INDEX": None, "MEMORY": 1.0, "SPACING": 150.0}

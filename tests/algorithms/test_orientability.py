@@ -63,4 +63,4 @@ def test_a_raster_has_a_band_for_each_direction(run, scene, tmp_path):
 )
 def test_unusable_input_is_refused(refusal, scene, given, sentence):
     place = {} if not given or "RASTER" in given else {"INPUT": layer_of("Point", "Point(8 46.5)")}
-    assert sentence in refusal("orientability", {"DEM": str(scene.dem), **place, **given})
+    assert sentence in refusal("orientability", {"DEM": str(scene.dem), "OUTPUT": "memory:", **place, **given})
