@@ -228,7 +228,14 @@ def doubt_of_heights(requests, dem, most=40):
 
 
 def recorded_heading_deg(metadata, longitude_deg, latitude_deg):
-    """Recorded heading against true north at a position [degrees]; None if there is none or it cannot be converted."""
+    """Recorded heading against true north at a position [degrees]; None if there is none or it cannot be converted.
+
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+    longitude_deg, latitude_deg : float
+        WGS 84, for the declination [degrees].
+    """
     return true_heading_deg(metadata, _declination(metadata, longitude_deg, latitude_deg))
 
 

@@ -8,10 +8,8 @@ import numpy as np
 
 from .base.angles import difference
 from .base.camera import Camera, Pose, focal_from_35mm_px, focal_of_fov_px
-from .base.errors import PhotoError
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.progress import SILENT, subtask
-from .base.terrain import Observer
 from .batch import PhotoRequest, orient_request
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .locate.unique import Orientability, UniqueOptions, orientability
@@ -249,12 +247,3 @@ def summarise(trials, limits_deg=(0.5, 1.0, 3.0)):
         float(np.median(error[accepted])) if accepted.any() else None,
         float(np.mean(held)) if held else None,
     )
-
-
-def observer_at(longitude_deg, latitude_deg, eye_height_m):
-    """The observer at a position; raises `PhotoError` if there is none."""
-    if longitude_deg is None:
-        from .base.messages import Message
-
-        raise PhotoError(Message("The point has no usable position."))
-    return Observer(longitude_deg, latitude_deg, eye_height_m)

@@ -53,7 +53,16 @@ class LocateOptions:
 
     @classmethod
     def of(cls, index, hfov_limits_deg, eye_max_m):
-        """Make the options of a run from those of its index, the fields of view to try, and the greatest eye height."""
+        """Make the options of a run.
+
+        Parameters
+        ----------
+        index : IndexOptions
+        hfov_limits_deg : (float, float)
+            Fields of view to try if none is known [degrees].
+        eye_max_m : float
+            Greatest height of the eye above the DEM [m].
+        """
         ray = {"max_distance_m": index.max_distance_m, "refraction_coefficient": index.refraction_coefficient}
         heights = np.linspace(index.eye_height_m, max(eye_max_m, index.eye_height_m), 4)[1:]
         heights = tuple(float(height) for height in heights if height > index.eye_height_m)

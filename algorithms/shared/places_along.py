@@ -36,7 +36,9 @@ def places_of(algorithm, parameters, context, name, step):
 
 
 def _along(geometry, transform, context, step_m):
-    """Positions along a line, `step_m` apart on the ground, with both ends."""
+    """Positions along a line, at most `step_m` apart on the ground, with both ends."""
+    from math import ceil
+
     from ...core.io.crs import local_plane
 
     try:
@@ -48,7 +50,7 @@ def _along(geometry, transform, context, step_m):
         to_plane = QgsCoordinateTransform(wgs84, plane, context.transformContext())
         geometry.transform(to_plane)
         back = QgsCoordinateTransform(plane, wgs84, context.transformContext())
-        count = max(int(geometry.length() // step_m), 1)
+        count = max(ceil(geometry.length() / step_m), 1)
         for number in range(count + 1):
             point = back.transform(geometry.interpolate(geometry.length() * number / count).asPoint())
             yield point.x(), point.y()
