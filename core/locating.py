@@ -17,7 +17,7 @@ from .locate.answer import Known, Located, LocatedPlace, oriented_at
 from .locate.build import kept_index
 from .locate.coarse import compare
 from .locate.fit import curves_of, distinct, fit_places, lift, move
-from .locate.judge import Facts, ellipse, gap_of, near_share, p_correct, region, shares, table, verdict
+from .locate.judge import Facts, apart_share, ellipse, gap_of, near_share, p_correct, region, shares, table, verdict
 from .locate.picture import hypotheses
 from .locate.places import IndexOptions
 from .match.geometry import lens_of, pose_of
@@ -153,7 +153,7 @@ def _answer(photo, evidence, problem, search, options):
     explained, relief_deg = problem.facts(curves_of(profiles[:1]), moved.trial[0])
     camera = lens_of(problem.full_prior.camera, moved.trial[0])
     facts = Facts(float(moved.score[0]), gap_of(moved), explained, relief_deg, camera.hfov_deg, len(index))
-    right = p_correct(facts) * near_share(moved)
+    right = min(p_correct(facts), apart_share(moved)) * near_share(moved)
     probability = shares(moved.score, right)
     status, message = verdict(facts, probability, options.judge)
     merged = fitted.score.copy()

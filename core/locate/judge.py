@@ -115,6 +115,24 @@ def gap_of(found):
     return float(found.score[0] - found.score[-1])
 
 
+def apart_share(found, temperature=None):
+    """Share of the best place and those near it in the likelihood of all candidates.
+
+    Whatever the other quantities are, each of two places far apart that fit equally well is right half the time.
+
+    Parameters
+    ----------
+    found : FittedPlaces
+        Candidates, best first.
+    temperature : float or None
+        Worth of a unit of score; None takes the calibrated one.
+    """
+    worth = table()["temperature"] if temperature is None else temperature
+    away = np.array([distance_m(found, 0, other) for other in range(len(found.score))])
+    likelihood = np.exp(worth * (found.score - found.score[0]))
+    return float(likelihood[away <= APART_M].sum() / likelihood.sum())
+
+
 def near_share(found, temperature=None):
     """Share of the best place in the likelihood of all candidates near it, those within `RIGHT_M` of it included.
 

@@ -3,6 +3,7 @@ import pytest
 from skyline_viewshed.core.locate.judge import (
     Facts,
     JudgeOptions,
+    apart_share,
     ellipse,
     near_share,
     p_correct,
@@ -44,6 +45,7 @@ def test_a_twin_on_the_line_of_sight_halves_the_probability():
         longitude_deg=np.full(4, 8.0), latitude_deg=46 + north, score=np.array([5.0, 3.0, 5.0, 5.0])
     )
     assert near_share(found, 6.5) == pytest.approx(0.5, abs=0.001)
+    assert apart_share(found, 6.5) == pytest.approx(2 / 3, abs=0.001)
 
 
 def test_shares_add_up_to_less_than_one():
