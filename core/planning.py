@@ -161,8 +161,8 @@ def simulate_trial(dem, observer, number, options=TrialOptions(), progress=SILEN
     pose = _pose(camera, horizon, heading, options.roll_sigma_deg, random)
     seed = int(random.integers(2**31))
     hard = options.weather == "season" or (options.weather == "mixed" and random.random() < 0.5)
-    sun = {"sun_azimuth_deg": 360 * random.random(), "sun_elevation_deg": 15 + 45 * random.random()}
-    scene = hard_scene(seed) if hard else SceneOptions(seed, **sun)
+    azimuth, height = 360 * random.random(), 15 + 45 * random.random()
+    scene = hard_scene(seed) if hard else SceneOptions(seed, sun_azimuth_deg=azimuth, sun_elevation_deg=height)
     terrain = DetailedTerrain(dem, 3, options.seed, options.detail, sharpening=0.5) if options.detail > 0 else dem
     view = render_view(terrain, observer, camera, pose, scene, subtask(progress, 0.0, 0.5))
     photo = Photo(_metadata(observer, camera, number, options, random), view.pixels)
@@ -171,7 +171,8 @@ def simulate_trial(dem, observer, number, options=TrialOptions(), progress=SILEN
         request, dem, options.orient, HorizonCache(), subtask(progress, 0.5, 1.0), replace(photo, pixels=view.pixels)
     )
     at = int(np.abs(difference(prediction.heading_deg, heading)).argmin())
-    return Trial(heading, camera.hfov_deg, *_errors(oriented, heading), float(prediction.probability[at]), oriented)
+    error_deg, covered = _errors(oriented, heading)
+    return Trial(heading, camera.hfov_deg, error_deg, covered, float(prediction.probability[at]), oriented)
 
 
 def _pose(camera, horizon, heading_deg, roll_sigma_deg, random):

@@ -146,7 +146,8 @@ def picture_of(request, options=SkylineOptions()):  # noqa: B008 - frozen
     if request.sky_mask_path is not None:
         evidence = evidence_from_mask(read_photo(request.sky_mask_path, PREVIEW_PX).pixels, *size)
     elif request.drawn_skyline is not None:
-        evidence = evidence_from_line(*np.asarray(request.drawn_skyline, float).reshape(-1, 2).T, *size)
+        x_px, y_px = np.asarray(request.drawn_skyline, float).reshape(-1, 2).T
+        evidence = evidence_from_line(x_px, y_px, *size)
     else:
         evidence = skyline_evidence(photo.pixels, options, *size)
     return replace(photo, pixels=np.rint(shrink_to(photo.pixels, PREVIEW_PX)).astype(np.uint8)), evidence

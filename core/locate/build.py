@@ -95,9 +95,9 @@ def index_of(arrays):
     place = np.asarray(arrays["place"])
     count = int(np.isfinite(place[0]).sum())
     cell_m, spacing_m = arrays["sizes"]
-    return HorizonIndex(
-        *place[:, :count], arrays["elevation"][:count], arrays["distance"][:count], float(cell_m), float(spacing_m)
-    )
+    longitude, latitude, ground = place[:, :count]
+    elevation, distance = arrays["elevation"][:count], arrays["distance"][:count]
+    return HorizonIndex(longitude, latitude, ground, elevation, distance, float(cell_m), float(spacing_m))
 
 
 def _in_memory(_name, shape, dtype):

@@ -120,19 +120,19 @@ def fit_places(problem, index, places, trials, options=FitOptions(), progress=SI
     for first in range(0, len(places), CHUNK):
         checkpoint(progress, first / len(places))
         part = slice(first, first + CHUNK)
-        curves = CurveSet(*index.horizons(places[part]), index.cell_m)
+        elevation_deg, distance = index.horizons(places[part])
+        curves = CurveSet(elevation_deg, distance, index.cell_m)
         error_m = options.place_error * index.spacing_m
         fitted[part], score[part] = _best_over_scales(problem, curves, fitted[part], error_m, (options.scales, 6))
-    count = len(places)
     found = FittedPlaces(
         np.asarray(places),
         index.longitude_deg[places],
         index.latitude_deg[places],
         fitted,
         score,
-        np.full((count, 2, 2), np.nan),
-        np.full((count, 2), np.nan),
-        np.full(count, np.nan),
+        np.full((len(places), 2, 2), np.nan),
+        np.full((len(places), 2), np.nan),
+        np.full(len(places), np.nan),
     )
     return found.take(np.argsort(-score, kind="stable"))
 
@@ -158,7 +158,7 @@ def distinct(found, separation_m, count):
     count : int
         Largest number of places.
     """
-    kept = []
+    kept: list[int] = []
     for place in range(len(found.score)):
         if all(distance_m(found, place, other) > separation_m for other in kept):
             kept.append(place)
@@ -204,11 +204,11 @@ def move(problem, horizons_of, found, spacing_m, options=FitOptions(), progress=
     for number, (share, count) in enumerate(options.stages):
         part = subtask(progress, number / len(options.stages), (number + 1) / len(options.stages))
         ahead, rest = np.arange(min(count, len(found.score))), np.arange(min(count, len(found.score)), len(found.score))
-        moved = [
-            _moved(problem, horizons_of, found.take(np.array([place])), share * spacing_m, options)
-            for place in ahead
-            if checkpoint(part, place / len(ahead)) is None
-        ]
+        moved = []
+        for place in ahead:
+            checkpoint(part, place / len(ahead))
+            one = found.take(np.array([place]))
+            moved.append(_moved(problem, horizons_of, one, share * spacing_m, options))
         found = _joined([*moved, found.take(rest)])
         found = found.take(np.argsort(-found.score, kind="stable"))
         found = found.take(distinct(found, options.separation_m / 2, len(found.score)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -59,7 +59,7 @@ class HorizonIndex:
 
     def take(self, places):
         """The index of some places only."""
-        return HorizonIndex(*(getattr(self, name)[places] for name in ARRAYS), self.cell_m, self.spacing_m)
+        return replace(self, **{name: getattr(self, name)[places] for name in ARRAYS})
 
 
 def stored_angles(elevation_deg):

@@ -164,6 +164,7 @@ def _resampled(value, evidence, lens, angles, options):
     series = fft.fft(seen, axis=0)[1 : options.harmonics + 1]
     series = series * np.exp(-2j * np.pi * harmonic * first_deg / options.period_deg)
     around = np.zeros((options.harmonics, headings), np.complex64)
-    np.add.at(around, (slice(None), offset % headings), np.conj(series))
+    for column, at in enumerate(offset % headings):  # a view of more than half the circle may meet itself
+        around[:, at] += np.conj(series[:, column])
     spectrum = np.conj(fft.fft(around, axis=1)).astype(np.complex64)
     return Hypothesis(pitch_deg, roll_deg, float(log_focal), spectrum, float(seen.sum() / rows))
