@@ -18,13 +18,13 @@ from skyline_viewshed.core.base.model import PhotoMetadata
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
+from skyline_viewshed.core.simulate.detail import DetailedTerrain
 from skyline_viewshed.core.simulate.render import RenderedView, render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
+from skyline_viewshed.core.simulate.weather import hard_scene
 from skyline_viewshed.demo.dem_file import write_dem
-from skyline_viewshed.demo.detail import DetailedTerrain
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
-from skyline_viewshed.demo.weather import hard_scene
 
 ROOT = Path(__file__).resolve().parent.parent
 SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2, "adverse": 3}

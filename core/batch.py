@@ -159,7 +159,7 @@ def _orient(request, photo, dem, options, cache, progress):
     observer = Observer(longitude, latitude, request.eye_height_m, _eye_elevation_m(request, metadata))
     prior = camera_prior(metadata, request.hfov_deg)
     prior = replace(prior, camera=_distorted(prior.camera, request.k1, request.k2))
-    compass = true_heading_deg(metadata, _declination(metadata, longitude, latitude))
+    compass = recorded_heading_deg(metadata, longitude, latitude)
     hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
     if hints.heading is None:
         hints = replace(hints, recorded_heading_deg=compass)
@@ -225,6 +225,18 @@ def doubt_of_heights(requests, dem, most=40):
             altitudes.append(metadata.altitude_m)
             grounds.append(ground)
     return doubt_of_run(altitudes, grounds)
+
+
+def recorded_heading_deg(metadata, longitude_deg, latitude_deg):
+    """Recorded heading against true north at a position [degrees]; None if there is none or it cannot be converted.
+
+    Parameters
+    ----------
+    metadata : PhotoMetadata
+    longitude_deg, latitude_deg : float
+        WGS 84, for the declination [degrees].
+    """
+    return true_heading_deg(metadata, _declination(metadata, longitude_deg, latitude_deg))
 
 
 def _declination(metadata, longitude_deg, latitude_deg):

@@ -33,6 +33,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -42,6 +43,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
@@ -168,6 +170,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
@@ -390,6 +393,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -546,6 +551,289 @@
         <translation>{share} % des sichtbaren Geländes liegen dort, wo das Bild Himmel zeigt, und wurden nicht drapiert. Prüfen Sie Blickrichtung, Nickwinkel und Höhe der Kamera.</translation>
     </message>
     <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Expected accuracy</source>
+        <translation>Erwartete Genauigkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>simulation,accuracy,benchmark,planning,acceptance,coverage,montecarlo</source>
+        <translation>Simulation,Genauigkeit,Benchmark,Planung,Annahme,Abdeckung,Montecarlo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>How accurate orientation will be at given places over a given DEM, from simulated photographs</source>
+        <translation>Wie genau die Orientierung an gegebenen Orten über einem gegebenen DGM sein wird, aus simulierten Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulates photographs from the places with random directions, lenses, weather and errors of position and focal length, orients each of them as Orient photos does, and compares the answers with the truth: errors, share of accepted photographs, wrong ones among them, and how often the 90 % interval holds the truth.</source>
+        <translation>Simuliert Fotos von den Orten mit zufälligen Richtungen, Objektiven, Wetterlagen und Fehlern von Position und Brennweite, orientiert jedes wie „Fotos orientieren“ und vergleicht die Antworten mit der Wahrheit: Fehler, Anteil der angenommenen Fotos, falsche darunter und wie oft das 90-%-Intervall die Wahrheit enthält.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
+        <translation>Die Kamera sieht rauere Berge als das DGM. Ein Foto dauert einige Sekunden. Echte Fotos können schlechter sein: Vergleichen Sie mit den Zahlen für echte Fotos in der Dokumentation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Points, or lines along which places are taken.</source>
+        <translation>Punkte oder Linien, entlang derer Orte genommen werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Distance between the places that are taken along lines.</source>
+        <translation>Abstand der Orte, die entlang von Linien genommen werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Step along lines (m)</source>
+        <translation>Schritt entlang von Linien (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>They are spread evenly over the places.</source>
+        <translation>Sie werden gleichmäßig auf die Orte verteilt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Number of photographs</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Weather</source>
+        <translation>Wetter</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>clear days</source>
+        <translation>klare Tage</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>half clear, half a season's weather</source>
+        <translation>halb klar, halb Wetter einer Saison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>a season's weather</source>
+        <translation>Wetter einer Saison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>A season's weather has clouds, haze, trees, people and camera faults.</source>
+        <translation>Das Wetter einer Saison hat Wolken, Dunst, Bäume, Menschen und Kamerafehler.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Fields of view are drawn between the two.</source>
+        <translation>Die Bildwinkel werden zwischen den beiden gezogen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Narrowest field of view (°)</source>
+        <translation>Kleinster Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Widest field of view (°)</source>
+        <translation>Größter Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Standard deviation of the recorded position in each direction.</source>
+        <translation>Standardabweichung der aufgezeichneten Position in jeder Richtung.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Fehler der Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
+        <translation>Rauheit der Berge, die das DGM nicht zeigt, in seinen Zellen; 0 fotografiert das DGM selbst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness beyond the DEM</source>
+        <translation>Rauheit über das DGM hinaus</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The same seed gives the same photographs.</source>
+        <translation>Derselbe Startwert ergibt dieselben Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>One point per simulated photograph with its truth, the answer and the error.</source>
+        <translation>Ein Punkt je simuliertem Foto mit Wahrheit, Antwort und Fehler.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulated photographs</source>
+        <translation>Simulierte Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Anzahl der Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Anzahl der angenommenen Fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Accepted photos that are wrong by more than 3°</source>
+        <translation>Angenommene Fotos, die um mehr als 3° falsch sind</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 1°</source>
+        <translation>Anteil der Blickrichtungen innerhalb von 1°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 3°</source>
+        <translation>Anteil der Blickrichtungen innerhalb von 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of the accepted whose interval holds the truth</source>
+        <translation>Anteil der angenommenen, deren Intervall die Wahrheit enthält</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The narrowest field of view must not be wider than the widest.</source>
+        <translation>Der kleinste Bildwinkel darf nicht größer sein als der größte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>None of the places has a usable position on this DEM.</source>
+        <translation>Keiner der Orte hat eine brauchbare Position auf diesem DGM.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
+        <source>The point has no usable position.</source>
+        <translation>Der Punkt hat keine brauchbare Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>{photos} photographs: {accepted} accepted, {wrong} of them wrong by more than 3°; {within} % of all headings are within 1° of the truth.</source>
+        <translation>{photos} Fotos: {accepted} angenommen, davon {wrong} um mehr als 3° falsch; {within} % aller Blickrichtungen liegen innerhalb von 1° der Wahrheit.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>True heading (°)</source>
+        <translation>Wahre Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Heading found minus true heading (°)</source>
+        <translation>Gefundene minus wahre Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Probability of a unique answer, predicted from the DEM</source>
+        <translation>Wahrscheinlichkeit einer eindeutigen Antwort, aus dem DGM vorhergesagt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Horizontaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Blickrichtung (° von geographisch Nord)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The 90 % interval holds the true heading</source>
+        <translation>Das 90-%-Intervall enthält die wahre Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
         <location filename="../algorithms/export_headings.py"/>
         <source>Export headings</source>
         <translation>Blickrichtungen exportieren</translation>
@@ -629,18 +917,6 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>One line per photo, for spreadsheets.</source>
         <translation>Eine Zeile pro Foto, für Tabellenprogramme.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/export_headings.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/position_photos.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Anzahl der Fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -740,6 +1016,7 @@
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -835,15 +1112,6 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/shared/viewer.py"/>
-        <location filename="../algorithms/shared/views.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point has no usable position.</source>
-        <translation>Der Punkt hat keine brauchbare Position.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Ausgangspunkt</translation>
@@ -903,6 +1171,7 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>JPEG- und HEIC-Dateien werden am Inhalt erkannt.</translation>
     </message>
@@ -1042,6 +1311,164 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Elevation angle (°)</source>
         <translation>Höhenwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Locate photos</source>
+        <translation>Fotos lokalisieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>position,place,where,geolocation,photo,skyline,horizon,archive,search,gps,geotag</source>
+        <translation>Position,Ort,wo,Geolokalisierung,Foto,Horizontlinie,Horizont,Archiv,Suche,GPS,Geotag</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Where photographs were taken, from their skyline and a DEM alone</source>
+        <translation>Wo Fotos aufgenommen wurden, allein aus ihrer Horizontlinie und einem DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Compares the skyline of each photograph with the horizons of all places of an area, and gives the place, heading, pitch and roll that fit best. No position is needed in the photographs.</source>
+        <translation>Vergleicht die Horizontlinie jedes Fotos mit den Horizonten aller Orte eines Gebiets und gibt Ort, Blickrichtung, Nick- und Rollwinkel an, die am besten passen. Die Fotos brauchen keine Position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the place can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (compare the candidates), &lt;i&gt;rejected&lt;/i&gt; (the photograph was probably not taken in this area, or its skyline does not decide) or &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; is the probability that the place is within 500 m and the heading within 3 degrees of the truth.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; ist &lt;i&gt;accepted&lt;/i&gt; (dem Ort kann man trauen), &lt;i&gt;ambiguous&lt;/i&gt; (vergleichen Sie die Kandidaten), &lt;i&gt;rejected&lt;/i&gt; (das Foto wurde wahrscheinlich nicht in diesem Gebiet aufgenommen, oder seine Horizontlinie entscheidet nicht) oder &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; ist die Wahrscheinlichkeit, dass der Ort auf 500 m und die Blickrichtung auf 3 Grad richtig sind.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
+        <translation>Die Horizonte des Gebiets werden einmal berechnet, etwa 2 ms je Ort. Wählen Sie einen Ordner für sie, um sie wieder zu verwenden. Ein weiter Blick auf ferne Berge lässt sich gut lokalisieren, eine Teleaufnahme oder ein naher Hang nicht. Ein Ort kann verraten, wo Menschen leben oder waren: Gehen Sie verantwortungsvoll mit der Antwort um.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Best places</source>
+        <translation>Beste Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph at the best place.</source>
+        <translation>Ein Punkt je Foto am besten Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Candidate places</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The best places of each photograph, ranked, with the pose at each.</source>
+        <translation>Die besten Orte jedes Fotos der Reihe nach, mit der Kamerahaltung an jedem.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Regions of 90 % probability</source>
+        <translation>Gebiete von 90 % Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Polygons that hold 90 % of the probability if the photograph was taken in the area.</source>
+        <translation>Polygone, die 90 % der Wahrscheinlichkeit enthalten, wenn das Foto in dem Gebiet aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Distance between the places that are tried; the best of them are moved afterwards.</source>
+        <translation>Abstand der Orte, die probiert werden; die besten von ihnen werden danach verschoben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Spacing of the places (m)</source>
+        <translation>Abstand der Orte (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Field of view of the upright picture. NULL: computed from the focal length in the file.</source>
+        <translation>Bildwinkel des aufrechten Bildes. NULL: aus der Brennweite in der Datei berechnet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Tried for photographs without a focal length and without a given field of view.</source>
+        <translation>Wird für Fotos ohne Brennweite und ohne gegebenen Bildwinkel probiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Narrowest field of view to try (°)</source>
+        <translation>Kleinster Bildwinkel, der probiert wird (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Widest field of view to try (°)</source>
+        <translation>Größter Bildwinkel, der probiert wird (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest height of the camera above the ground, for towers and drones. Heights up to it are tried.</source>
+        <translation>Größte Höhe der Kamera über dem Boden, für Türme und Drohnen. Höhen bis dahin werden probiert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest camera height (m)</source>
+        <translation>Größte Kamerahöhe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground.</source>
+        <translation>Größte Entfernung der Berge auf der Horizontlinie, in Metern am Boden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Largest index of horizons that is held in memory; a folder for the index has no such limit.</source>
+        <translation>Größter Index von Horizonten, der im Speicher gehalten wird; ein Ordner für den Index hat keine solche Grenze.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Memory for the index (MB)</source>
+        <translation>Speicher für den Index (MB)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Keeps the horizons of the area, about 3 kB for each place, so that later runs start at once.</source>
+        <translation>Bewahrt die Horizonte des Gebiets auf, etwa 3 kB je Ort, damit spätere Läufe sofort beginnen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Folder for the index</source>
+        <translation>Ordner für den Index</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Ein Punkt ohne Foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>{count} places are searched.</source>
+        <translation>{count} Orte werden durchsucht.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1418,10 +1845,116 @@
         <translation>Blickrichtungen zählen im Uhrzeigersinn von geographisch Nord. Die Geometrie eines Punktes ist der Standort der Kamera. Für Fotos, die scheitern, geben Sie eine ungefähre Blickrichtung, eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an (Erweitert).</translation>
     </message>
     <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Number of accepted photos</source>
-        <translation>Anzahl der angenommenen Fotos</translation>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>Orientability</source>
+        <translation>Orientierbarkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>planning,camera,webcam,repeat photography,horizon,ambiguity,accuracy,prediction</source>
+        <translation>Planung,Kamera,Webcam,Wiederholungsfotografie,Horizont,Mehrdeutigkeit,Genauigkeit,Vorhersage</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>How well a photo from a place could be oriented, by direction and field of view, from the DEM alone</source>
+        <translation>Wie gut sich ein Foto von einem Ort orientieren ließe, nach Richtung und Bildwinkel, allein aus dem DGM</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Compares each stretch of the horizon with all others, as a photograph of it would be compared, and predicts the probability that its heading is found and the error of that heading. Use it to plan cameras and repeat photography.</source>
+        <translation>Vergleicht jedes Stück des Horizonts mit allen anderen, wie ein Foto davon verglichen würde, und sagt die Wahrscheinlichkeit, dass seine Blickrichtung gefunden wird, und deren Fehler vorher. Damit lassen sich Kameras und Wiederholungsfotos planen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
+        <translation>Ein Horizont, der sich wiederholt, ein flacher und einer aus nahem Gelände sind schwer zu orientieren. Die Vorhersage setzt ein Foto mit sichtbarer Horizontlinie voraus; Wolken und Bäume kommen hinzu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Horizontal fields of view (°)</source>
+        <translation>Horizontale Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Numbers between 5 and 120, separated by commas.</source>
+        <translation>Zahlen zwischen 5 und 120, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Standard deviation of the camera's position; it matters if terrain is near.</source>
+        <translation>Standardabweichung der Kameraposition; sie zählt, wenn Gelände nahe ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Extent of the raster</source>
+        <translation>Ausschnitt des Rasters</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Area of the optional raster.</source>
+        <translation>Gebiet des optionalen Rasters.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Size of the cells of the raster, rounded to whole cells of the DEM.</source>
+        <translation>Größe der Zellen des Rasters, auf ganze Zellen des DGM gerundet.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Cells of the raster (m)</source>
+        <translation>Zellen des Rasters (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>One point per place and field of view, with the probability in eight directions.</source>
+        <translation>Ein Punkt je Ort und Bildwinkel mit der Wahrscheinlichkeit in acht Richtungen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Orientability of places</source>
+        <translation>Orientierbarkeit der Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
+        <translation>Bänder: mittlere Wahrscheinlichkeit, Wahrscheinlichkeit in acht Richtungen und erwarteter Fehler, für den ersten Bildwinkel.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Number of places</source>
+        <translation>Anzahl der Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose places, or an extent and a raster to write.</source>
+        <translation>Wählen Sie Orte, oder einen Ausschnitt und ein Raster, das geschrieben wird.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose the extent of the raster.</source>
+        <translation>Wählen Sie den Ausschnitt des Rasters.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>The fields of view must be numbers between 5 and 120, separated by commas.</source>
+        <translation>Die Bildwinkel müssen Zahlen zwischen 5 und 120 sein, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Probability of a unique answer towards {direction}</source>
+        <translation>Wahrscheinlichkeit einer eindeutigen Antwort in Richtung {direction}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Mean probability of a unique answer</source>
+        <translation>Mittlere Wahrscheinlichkeit einer eindeutigen Antwort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Expected error of the heading (°)</source>
+        <translation>Erwarteter Fehler der Blickrichtung (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1566,6 +2099,7 @@
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>Area</source>
         <translation>Bereich</translation>
     </message>
@@ -1766,6 +2300,101 @@
         <translation>Anzahl der Objekte, die kein Gelände zeigen</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Check photo positions</source>
+        <translation>Fotopositionen prüfen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>position,gps,check,wrong,shift,photo,skyline,horizon,quality</source>
+        <translation>Position,GPS,prüfen,falsch,Verschiebung,Foto,Horizontlinie,Horizont,Qualität</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Whether the recorded position of a photo agrees with its skyline, and where a better place is</source>
+        <translation>Ob die aufgezeichnete Position eines Fotos zu seiner Horizontlinie passt, und wo ein besserer Ort ist</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Orients each photograph from its recorded position and then tries places around it. If the skyline fits much better somewhere else, &lt;b&gt;verdict&lt;/b&gt; is &lt;i&gt;doubtful&lt;/i&gt;, and &lt;b&gt;dx&lt;/b&gt; and &lt;b&gt;dy&lt;/b&gt; give the way there in metres to the east and north. Positions are reported and never changed.</source>
+        <translation>Orientiert jedes Foto von seiner aufgezeichneten Position und probiert dann Orte um sie herum. Passt die Horizontlinie anderswo viel besser, ist &lt;b&gt;verdict&lt;/b&gt; &lt;i&gt;doubtful&lt;/i&gt;, und &lt;b&gt;dx&lt;/b&gt; und &lt;b&gt;dy&lt;/b&gt; geben den Weg dorthin in Metern nach Osten und Norden an. Positionen werden gemeldet und nie geändert.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>A skyline of far mountains says little about a position: a &lt;i&gt;believable&lt;/i&gt; verdict only means that no place nearby fits much better. The error ellipse says how well the skyline fixes the better place.</source>
+        <translation>Eine Horizontlinie aus fernen Bergen sagt wenig über eine Position: Das Urteil &lt;i&gt;believable&lt;/i&gt; bedeutet nur, dass kein Ort in der Nähe viel besser passt. Die Fehlerellipse sagt, wie gut die Horizontlinie den besseren Ort festlegt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
+        <translation>Orte, die weiter von der aufgezeichneten Position entfernt sind, werden nicht probiert. Die Zeit wächst mit dem Quadrat.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Search radius (m)</source>
+        <translation>Suchradius (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Checked positions</source>
+        <translation>Geprüfte Positionen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>The photo points with the verdict and the way to the better place.</source>
+        <translation>Die Fotopunkte mit dem Urteil und dem Weg zum besseren Ort.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Number of doubtful positions</source>
+        <translation>Anzahl der zweifelhaften Positionen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the east</source>
+        <translation>Besserer Ort, Meter nach Osten</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the north</source>
+        <translation>Besserer Ort, Meter nach Norden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Gain in agreement there</source>
+        <translation>Gewinn an Übereinstimmung dort</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), longer half axis (m)</source>
+        <translation>Fehlerellipse (90 %), längere Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), shorter half axis (m)</source>
+        <translation>Fehlerellipse (90 %), kürzere Halbachse (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Azimuth of the longer half axis (°)</source>
+        <translation>Azimut der längeren Halbachse (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/position_photos.py"/>
         <source>Position photos from a track</source>
         <translation>Fotos anhand eines Tracks verorten</translation>
@@ -1919,11 +2548,6 @@
         <location filename="../algorithms/position_photos.py"/>
         <source>from the track</source>
         <translation>aus dem Track</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/position_photos.py"/>
-        <source>Error of the position (m)</source>
-        <translation>Fehler der Position (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2144,6 +2768,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../algorithms/shared/places_along.py"/>
         <source>The layer of points has no feature. Choose another, or clear the selection.</source>
         <translation>Der Punktlayer hat kein Objekt. Wählen Sie einen anderen oder heben Sie die Auswahl auf.</translation>
     </message>
@@ -2310,11 +2935,77 @@
         <translation>Zuordnung</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Nickwinkel (°, + nach oben)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Vertikaler Bildwinkel (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Höhe der Kamera (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Probability that place (500 m) and heading (3°) are right</source>
+        <translation>Wahrscheinlichkeit, dass Ort (500 m) und Blickrichtung (3°) richtig sind</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Agreement of the skyline with the horizon</source>
+        <translation>Übereinstimmung der Horizontlinie mit dem Horizont</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Correlation of place and focal length</source>
+        <translation>Korrelation von Ort und Brennweite</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Distance from the recorded position (m)</source>
+        <translation>Abstand von der aufgezeichneten Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Area (km²)</source>
+        <translation>Fläche (km²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Ort</translation>
+        <location filename="../core/report/orientability.py"/>
+        <source>Latitude</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Longitude</source>
+        <translation>Länge</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/map_places.py"/>
@@ -2423,6 +3114,16 @@
         <translation>{count} von {total} Bildobjekten reichen über das Bild von {width} x {height} Pixeln hinaus; außerhalb wird nichts verortet. Prüfen Sie, ob sie auf diesem Bild gezeichnet wurden und nicht auf einer verkleinerten, beschnittenen oder gedrehten Kopie.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>mean probability</source>
+        <translation>mittlere Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>expected error (°)</source>
+        <translation>erwarteter Fehler (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
         <translation>Bildwinkel des aufrechten Bildes, durch seine Mitte. NULL: aus der Brennweite in der Datei berechnet. Felder namens k1 und k2 geben die Verzeichnung des Objektivs an (Brown, wie in OpenCV).</translation>
@@ -2469,11 +3170,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Ein Punkt ohne Foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
     </message>
@@ -2496,13 +3192,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
         <translation>Angenommene Fotos helfen denen, über die keine Horizontlinie allein entscheidet: durch gemeinsame Bildmerkmale, wo die Kamera nur gedreht wurde (erfordert OpenCV), und durch den Fehler des Kompasses, der sich bei einer Kamera innerhalb einer Stunde kaum ändert. Angenommene Antworten ändern sich nicht. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB je Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2931,6 +3620,81 @@
         <location filename="../algorithms/shared/run_log.py"/>
         <source>about {hours} h left</source>
         <translation>noch etwa {hours} h</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Polygons in which the photographs may have been taken.</source>
+        <translation>Polygone, in denen die Fotos aufgenommen worden sein können.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Extent</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Rectangle to search, if no area is given.</source>
+        <translation>Zu durchsuchendes Rechteck, wenn kein Gebiet gegeben ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Radius around the recorded position (m)</source>
+        <translation>Radius um die aufgezeichnete Position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Searches around the position of each photograph, if neither an area nor an extent is given.</source>
+        <translation>Sucht um die Position jedes Fotos, wenn weder ein Gebiet noch ein Ausschnitt gegeben ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Paths</source>
+        <translation>Wege</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Only places near these lines are searched, for example hiking trails and roads.</source>
+        <translation>Nur Orte nahe diesen Linien werden durchsucht, zum Beispiel Wanderwege und Straßen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Distance from the paths (m)</source>
+        <translation>Abstand von den Wegen (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Places farther from the paths are not searched. It should be at least half the spacing.</source>
+        <translation>Orte, die weiter von den Wegen entfernt sind, werden nicht durchsucht. Er sollte mindestens der halbe Abstand der Orte sein.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Weights of places</source>
+        <translation>Gewichte der Orte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Raster with the relative probability that a photograph was taken at a place, for example from land cover or slope. Zero and nodata exclude a place.</source>
+        <translation>Raster mit der relativen Wahrscheinlichkeit, dass an einem Ort ein Foto aufgenommen wurde, zum Beispiel aus Landbedeckung oder Hangneigung. Null und Nodata schließen einen Ort aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
+        <translation>Wählen Sie, wo gesucht wird: ein Gebiet, einen Ausschnitt oder einen Radius um die aufgezeichneten Positionen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The raster of weights excludes every place of the area. Choose another.</source>
+        <translation>Das Raster der Gewichte schließt jeden Ort des Gebiets aus. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>{name} has no usable feature. Choose another layer.</source>
+        <translation>{name} hat kein brauchbares Objekt. Wählen Sie einen anderen Layer.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The area is empty. Choose a larger one, or a larger distance from the paths.</source>
+        <translation>Das Gebiet ist leer. Wählen Sie ein größeres oder einen größeren Abstand von den Wegen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -3409,18 +4173,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Blickrichtung (° von geographisch Nord)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Horizontaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Sichtbares Gelände (m²)</translation>
     </message>
@@ -3611,11 +4363,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Seed</source>
-        <translation>Startwert</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>The same number gives the same picture.</source>
         <translation>Dieselbe Zahl ergibt dasselbe Bild.</translation>
     </message>
@@ -3713,11 +4460,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: die Pixel je Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, die Sie für Beziehungen zu beiden Layern verwenden können.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Places</source>
-        <translation>Orte</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -4625,11 +5367,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Vertikaler Bildwinkel (°)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Width of the upright picture (px)</source>
         <translation>Breite des aufrecht stehenden Bildes (px)</translation>
     </message>
@@ -4653,16 +5390,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Camera</source>
         <translation>Kamera</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Nickwinkel (°, + nach oben)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Rollwinkel (°, + rechte Seite tiefer)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4731,22 +5458,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Wahrscheinlichkeit, dass die Blickrichtung auf 3° stimmt</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Status</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Message</source>
-        <translation>Meldung</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Recorded heading (° from true north)</source>
         <translation>Aufgezeichnete Blickrichtung (° von geographisch Nord)</translation>
     </message>
@@ -4764,11 +5475,6 @@
         <location filename="../core/base/attributes.py"/>
         <source>Distance of the horizon at the heading (m)</source>
         <translation>Entfernung des Horizonts in Blickrichtung (m)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Höhe der Kamera (m)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4959,6 +5665,21 @@
         <location filename="../core/batch.py"/>
         <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
         <translation>Die gezeichnete Horizontlinie reicht über das Bild von {width} x {height} Pixeln hinaus. Zeichnen Sie sie auf diesem Bild, nicht auf einer verkleinerten oder gedrehten Kopie.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>No place within {radius} m explains the skyline well. Check the field of view and the DEM, or search a larger area with Locate photos.</source>
+        <translation>Kein Ort innerhalb von {radius} m erklärt die Horizontlinie gut. Prüfen Sie den Bildwinkel und das DGM, oder durchsuchen Sie mit „Fotos lokalisieren“ ein größeres Gebiet.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits from the recorded position about as well as from anywhere near it.</source>
+        <translation>Die Horizontlinie passt von der aufgezeichneten Position etwa so gut wie von jedem Ort in der Nähe.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits much better {distance} m away, at azimuth {azimuth} degrees; the heading differs by {turn} degrees there. Check the recorded position, which was not changed.</source>
+        <translation>Die Horizontlinie passt {distance} m entfernt viel besser, im Azimut {azimuth} Grad; die Blickrichtung weicht dort um {turn} Grad ab. Prüfen Sie die aufgezeichnete Position; sie wurde nicht geändert.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -5511,9 +6232,34 @@
         <translation>Der Kompass, berichtigt um seinen Fehler von {error}° bei {count} Fotos derselben Stunde (etwa {photo}), ergab die ungefähre Blickrichtung.</translation>
     </message>
     <message>
-        <location filename="../core/many.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Bei diesem Foto ist ein unerwarteter Fehler aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
+        <location filename="../core/locate/judge.py"/>
+        <source>From this place, the DEM horizon matches the skyline in {share} % of the columns; no place elsewhere in the area scores close.</source>
+        <translation>Von diesem Ort stimmt der DGM-Horizont in {share} % der Spalten mit der Horizontlinie überein; kein Ort anderswo im Gebiet kommt nahe heran.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>No place in the area fits the skyline clearly. The photo was probably not taken in this area, or clouds, trees or a narrow view hide what would decide it. Choose another area, or give a sky mask or the field of view.</source>
+        <translation>Kein Ort im Gebiet passt klar zur Horizontlinie. Das Foto wurde wahrscheinlich nicht in diesem Gebiet aufgenommen, oder Wolken, Bäume oder ein enger Blick verbergen, was entscheiden würde. Wählen Sie ein anderes Gebiet, oder geben Sie eine Himmelsmaske oder den Bildwinkel an.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>This place fits best, but others in the area fit nearly as well, or the fit is weak. Compare the candidates, or choose a smaller area.</source>
+        <translation>Dieser Ort passt am besten, aber andere im Gebiet passen fast so gut, oder die Übereinstimmung ist schwach. Vergleichen Sie die Kandidaten, oder wählen Sie ein kleineres Gebiet.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>The area needs an index of {needed} MB, and {limit} MB are allowed. Choose an area of at most {km2} km2, a wider spacing of the places, or a folder for the index, which then stays on disk.</source>
+        <translation>Das Gebiet braucht einen Index von {needed} MB, und {limit} MB sind erlaubt. Wählen Sie ein Gebiet von höchstens {km2} km2, einen größeren Abstand der Orte oder einen Ordner für den Index, der dann auf der Platte bleibt.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>No part of the area lies inside the DEM. Choose an area that the DEM covers, or another DEM.</source>
+        <translation>Kein Teil des Gebiets liegt im DGM. Wählen Sie ein Gebiet, das das DGM abdeckt, oder ein anderes DGM.</translation>
+    </message>
+    <message>
+        <location filename="../core/locating.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain.</source>
+        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5890,18 +6636,6 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Latitude</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Longitude</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Positionsfehler, EXIF</translation>
     </message>
@@ -6035,6 +6769,16 @@
         <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Lücke</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Expected error of the heading</source>
+        <translation>Erwarteter Fehler der Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Field of view {hfov}°</source>
+        <translation>Bildwinkel {hfov}°</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>

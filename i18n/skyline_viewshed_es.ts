@@ -33,6 +33,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -42,6 +43,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
@@ -168,6 +170,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
@@ -390,6 +393,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -546,6 +551,289 @@
         <translation>El {share} % del terreno visible cae donde la imagen muestra cielo y no se ha proyectado. Compruebe el rumbo, el cabeceo y la elevación de la cámara.</translation>
     </message>
     <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Expected accuracy</source>
+        <translation>Exactitud esperada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>simulation,accuracy,benchmark,planning,acceptance,coverage,montecarlo</source>
+        <translation>simulación,exactitud,prueba comparativa,planificación,aceptación,cobertura,montecarlo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>How accurate orientation will be at given places over a given DEM, from simulated photographs</source>
+        <translation>Qué exactitud tendrá la orientación en lugares dados sobre un MDE dado, a partir de fotos simuladas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulates photographs from the places with random directions, lenses, weather and errors of position and focal length, orients each of them as Orient photos does, and compares the answers with the truth: errors, share of accepted photographs, wrong ones among them, and how often the 90 % interval holds the truth.</source>
+        <translation>Simula fotos desde los lugares con direcciones, objetivos, tiempo y errores de posición y distancia focal aleatorios, orienta cada una como lo hace «Orientar fotos» y compara las respuestas con la verdad: errores, proporción de fotos aceptadas, las erróneas entre ellas y con qué frecuencia el intervalo del 90 % contiene la verdad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
+        <translation>La cámara ve montañas más rugosas que el MDE. Una foto tarda algunos segundos. Las fotos reales pueden ser peores: compare con las cifras de fotos reales en la documentación.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Points, or lines along which places are taken.</source>
+        <translation>Puntos, o líneas a lo largo de las cuales se toman lugares.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Distance between the places that are taken along lines.</source>
+        <translation>Distancia entre los lugares que se toman a lo largo de líneas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Step along lines (m)</source>
+        <translation>Paso a lo largo de las líneas (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>They are spread evenly over the places.</source>
+        <translation>Se reparten por igual entre los lugares.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Number of photographs</source>
+        <translation>Número de fotografías</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Weather</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>clear days</source>
+        <translation>días despejados</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>half clear, half a season's weather</source>
+        <translation>mitad despejado, mitad tiempo de una temporada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>a season's weather</source>
+        <translation>tiempo de una temporada</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>A season's weather has clouds, haze, trees, people and camera faults.</source>
+        <translation>El tiempo de una temporada tiene nubes, bruma, árboles, personas y defectos de la cámara.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Fields of view are drawn between the two.</source>
+        <translation>Los ángulos de visión se eligen al azar entre los dos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Narrowest field of view (°)</source>
+        <translation>Ángulo de visión más estrecho (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Widest field of view (°)</source>
+        <translation>Ángulo de visión más ancho (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Standard deviation of the recorded position in each direction.</source>
+        <translation>Desviación típica de la posición registrada en cada dirección.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Error de la posición (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
+        <translation>Rugosidad de las montañas que el MDE no muestra, en sus celdas; 0 fotografía el propio MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness beyond the DEM</source>
+        <translation>Rugosidad más allá del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The same seed gives the same photographs.</source>
+        <translation>La misma semilla da las mismas fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>One point per simulated photograph with its truth, the answer and the error.</source>
+        <translation>Un punto por foto simulada con su verdad, la respuesta y el error.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulated photographs</source>
+        <translation>Fotografías simuladas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Número de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Número de fotos aceptadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Accepted photos that are wrong by more than 3°</source>
+        <translation>Fotos aceptadas que fallan por más de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 1°</source>
+        <translation>Proporción de rumbos a menos de 1°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 3°</source>
+        <translation>Proporción de rumbos a menos de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of the accepted whose interval holds the truth</source>
+        <translation>Proporción de las aceptadas cuyo intervalo contiene la verdad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The narrowest field of view must not be wider than the widest.</source>
+        <translation>El ángulo de visión más estrecho no debe ser más ancho que el más ancho.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>None of the places has a usable position on this DEM.</source>
+        <translation>Ninguno de los lugares tiene una posición utilizable en este MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
+        <source>The point has no usable position.</source>
+        <translation>El punto no tiene una posición utilizable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>{photos} photographs: {accepted} accepted, {wrong} of them wrong by more than 3°; {within} % of all headings are within 1° of the truth.</source>
+        <translation>{photos} fotografías: {accepted} aceptadas, {wrong} de ellas erróneas por más de 3°; el {within} % de todos los rumbos está a menos de 1° de la verdad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>True heading (°)</source>
+        <translation>Rumbo verdadero (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Heading found minus true heading (°)</source>
+        <translation>Rumbo encontrado menos rumbo verdadero (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Probability of a unique answer, predicted from the DEM</source>
+        <translation>Probabilidad de una respuesta única, prevista a partir del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Ángulo de visión horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Rumbo (° desde el norte geográfico)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The 90 % interval holds the true heading</source>
+        <translation>El intervalo del 90 % contiene el rumbo verdadero</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
         <location filename="../algorithms/export_headings.py"/>
         <source>Export headings</source>
         <translation>Exportar rumbos</translation>
@@ -629,18 +917,6 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>One line per photo, for spreadsheets.</source>
         <translation>Una línea por foto, para hojas de cálculo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/export_headings.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/position_photos.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Número de fotos</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -740,6 +1016,7 @@
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -835,15 +1112,6 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/shared/viewer.py"/>
-        <location filename="../algorithms/shared/views.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point has no usable position.</source>
-        <translation>El punto no tiene una posición utilizable.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Punto de origen</translation>
@@ -903,6 +1171,7 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>Los archivos JPEG y HEIC se reconocen por su contenido.</translation>
     </message>
@@ -1042,6 +1311,164 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Elevation angle (°)</source>
         <translation>Ángulo de elevación (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Locate photos</source>
+        <translation>Localizar fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>position,place,where,geolocation,photo,skyline,horizon,archive,search,gps,geotag</source>
+        <translation>posición,lugar,dónde,geolocalización,foto,línea del horizonte,horizonte,archivo,búsqueda,gps,geotag</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Where photographs were taken, from their skyline and a DEM alone</source>
+        <translation>Dónde se tomaron las fotografías, solo a partir de su línea del horizonte y de un MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Compares the skyline of each photograph with the horizons of all places of an area, and gives the place, heading, pitch and roll that fit best. No position is needed in the photographs.</source>
+        <translation>Compara la línea del horizonte de cada fotografía con los horizontes de todos los lugares de un área y da el lugar, el rumbo, el cabeceo y el alabeo que mejor encajan. Las fotografías no necesitan posición.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the place can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (compare the candidates), &lt;i&gt;rejected&lt;/i&gt; (the photograph was probably not taken in this area, or its skyline does not decide) or &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; is the probability that the place is within 500 m and the heading within 3 degrees of the truth.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; es &lt;i&gt;accepted&lt;/i&gt; (se puede confiar en el lugar), &lt;i&gt;ambiguous&lt;/i&gt; (compare los candidatos), &lt;i&gt;rejected&lt;/i&gt; (probablemente la fotografía no se tomó en esta área, o su línea del horizonte no decide) o &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; es la probabilidad de que el lugar esté a menos de 500 m y el rumbo a menos de 3 grados de la verdad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
+        <translation>Los horizontes del área se calculan una vez, unos 2 ms por lugar. Elija una carpeta para ellos si quiere volver a usarlos. Una vista amplia de montañas lejanas se localiza bien; un teleobjetivo o una ladera cercana, no. Un lugar puede revelar dónde viven o estuvieron personas: use la respuesta con responsabilidad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Best places</source>
+        <translation>Mejores lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph at the best place.</source>
+        <translation>Un punto por fotografía en el mejor lugar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Candidate places</source>
+        <translation>Lugares candidatos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The best places of each photograph, ranked, with the pose at each.</source>
+        <translation>Los mejores lugares de cada fotografía, por orden, con la pose en cada uno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Regions of 90 % probability</source>
+        <translation>Regiones de 90 % de probabilidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Polygons that hold 90 % of the probability if the photograph was taken in the area.</source>
+        <translation>Polígonos que contienen el 90 % de la probabilidad si la fotografía se tomó en el área.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Distance between the places that are tried; the best of them are moved afterwards.</source>
+        <translation>Distancia entre los lugares que se prueban; los mejores se desplazan después.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Spacing of the places (m)</source>
+        <translation>Separación de los lugares (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Field of view of the upright picture. NULL: computed from the focal length in the file.</source>
+        <translation>Ángulo de visión de la imagen derecha. NULL: calculado a partir de la distancia focal del archivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Tried for photographs without a focal length and without a given field of view.</source>
+        <translation>Se prueba con fotografías sin distancia focal y sin ángulo de visión dado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Narrowest field of view to try (°)</source>
+        <translation>Ángulo de visión más estrecho que se prueba (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Widest field of view to try (°)</source>
+        <translation>Ángulo de visión más ancho que se prueba (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest height of the camera above the ground, for towers and drones. Heights up to it are tried.</source>
+        <translation>Mayor altura de la cámara sobre el suelo, para torres y drones. Se prueban alturas hasta ella.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest camera height (m)</source>
+        <translation>Mayor altura de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground.</source>
+        <translation>Distancia máxima de las montañas de la línea del horizonte, en metros sobre el terreno.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Largest index of horizons that is held in memory; a folder for the index has no such limit.</source>
+        <translation>Mayor índice de horizontes que se guarda en memoria; una carpeta para el índice no tiene ese límite.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Memory for the index (MB)</source>
+        <translation>Memoria para el índice (MB)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Keeps the horizons of the area, about 3 kB for each place, so that later runs start at once.</source>
+        <translation>Guarda los horizontes del área, unos 3 kB por lugar, para que las ejecuciones posteriores empiecen enseguida.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Folder for the index</source>
+        <translation>Carpeta para el índice</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un punto sin foto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>{count} places are searched.</source>
+        <translation>Se examinan {count} lugares.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1418,10 +1845,116 @@
         <translation>Los rumbos se cuentan en sentido horario desde el norte geográfico. La geometría de un punto es la posición de la cámara. Para las fotos que fallan, dé un rumbo aproximado, un punto de referencia, una línea del horizonte dibujada o una máscara del cielo (Avanzado).</translation>
     </message>
     <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Number of accepted photos</source>
-        <translation>Número de fotos aceptadas</translation>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>Orientability</source>
+        <translation>Orientabilidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>planning,camera,webcam,repeat photography,horizon,ambiguity,accuracy,prediction</source>
+        <translation>planificación,cámara,webcam,fotografía repetida,horizonte,ambigüedad,exactitud,predicción</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>How well a photo from a place could be oriented, by direction and field of view, from the DEM alone</source>
+        <translation>Qué bien se podría orientar una foto desde un lugar, por dirección y ángulo de visión, solo a partir del MDE</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Compares each stretch of the horizon with all others, as a photograph of it would be compared, and predicts the probability that its heading is found and the error of that heading. Use it to plan cameras and repeat photography.</source>
+        <translation>Compara cada tramo del horizonte con todos los demás, como se compararía una fotografía de él, y prevé la probabilidad de que se encuentre su rumbo y el error de ese rumbo. Sirve para planificar cámaras y fotografía repetida.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
+        <translation>Un horizonte que se repite, uno llano y uno de terreno cercano son difíciles de orientar. La predicción supone una fotografía con línea del horizonte visible; nubes y árboles se añaden aparte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Horizontal fields of view (°)</source>
+        <translation>Ángulos de visión horizontales (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Numbers between 5 and 120, separated by commas.</source>
+        <translation>Números entre 5 y 120, separados por comas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Standard deviation of the camera's position; it matters if terrain is near.</source>
+        <translation>Desviación típica de la posición de la cámara; importa si hay terreno cercano.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Extent of the raster</source>
+        <translation>Extensión del ráster</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Area of the optional raster.</source>
+        <translation>Área del ráster opcional.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Size of the cells of the raster, rounded to whole cells of the DEM.</source>
+        <translation>Tamaño de las celdas del ráster, redondeado a celdas enteras del MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Cells of the raster (m)</source>
+        <translation>Celdas del ráster (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>One point per place and field of view, with the probability in eight directions.</source>
+        <translation>Un punto por lugar y ángulo de visión, con la probabilidad en ocho direcciones.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Orientability of places</source>
+        <translation>Orientabilidad de los lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
+        <translation>Bandas: probabilidad media, probabilidad en ocho direcciones y error esperado, para el primer ángulo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Number of places</source>
+        <translation>Número de lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose places, or an extent and a raster to write.</source>
+        <translation>Elija lugares, o una extensión y un ráster para escribir.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose the extent of the raster.</source>
+        <translation>Elija la extensión del ráster.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>The fields of view must be numbers between 5 and 120, separated by commas.</source>
+        <translation>Los ángulos de visión deben ser números entre 5 y 120, separados por comas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Probability of a unique answer towards {direction}</source>
+        <translation>Probabilidad de una respuesta única hacia {direction}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Mean probability of a unique answer</source>
+        <translation>Probabilidad media de una respuesta única</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Expected error of the heading (°)</source>
+        <translation>Error esperado del rumbo (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1566,6 +2099,7 @@
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>Area</source>
         <translation>Área</translation>
     </message>
@@ -1766,6 +2300,101 @@
         <translation>Número de objetos que no muestran terreno</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Check photo positions</source>
+        <translation>Comprobar posiciones de fotos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>position,gps,check,wrong,shift,photo,skyline,horizon,quality</source>
+        <translation>posición,gps,comprobar,error,desplazamiento,foto,línea del horizonte,horizonte,calidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Whether the recorded position of a photo agrees with its skyline, and where a better place is</source>
+        <translation>Si la posición registrada de una foto concuerda con su línea del horizonte, y dónde hay un lugar mejor</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Orients each photograph from its recorded position and then tries places around it. If the skyline fits much better somewhere else, &lt;b&gt;verdict&lt;/b&gt; is &lt;i&gt;doubtful&lt;/i&gt;, and &lt;b&gt;dx&lt;/b&gt; and &lt;b&gt;dy&lt;/b&gt; give the way there in metres to the east and north. Positions are reported and never changed.</source>
+        <translation>Orienta cada fotografía desde su posición registrada y después prueba lugares alrededor. Si la línea del horizonte encaja mucho mejor en otro sitio, &lt;b&gt;verdict&lt;/b&gt; es &lt;i&gt;doubtful&lt;/i&gt;, y &lt;b&gt;dx&lt;/b&gt; y &lt;b&gt;dy&lt;/b&gt; dan el camino hasta allí en metros hacia el este y el norte. Las posiciones se señalan y nunca se cambian.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>A skyline of far mountains says little about a position: a &lt;i&gt;believable&lt;/i&gt; verdict only means that no place nearby fits much better. The error ellipse says how well the skyline fixes the better place.</source>
+        <translation>Una línea del horizonte de montañas lejanas dice poco de una posición: un veredicto &lt;i&gt;believable&lt;/i&gt; solo significa que ningún lugar cercano encaja mucho mejor. La elipse de error dice con qué exactitud fija la línea del horizonte el lugar mejor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
+        <translation>No se prueban lugares más lejanos de la posición registrada. El tiempo crece con su cuadrado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Search radius (m)</source>
+        <translation>Radio de búsqueda (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Checked positions</source>
+        <translation>Posiciones comprobadas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>The photo points with the verdict and the way to the better place.</source>
+        <translation>Los puntos de las fotos con el veredicto y el camino al lugar mejor.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Number of doubtful positions</source>
+        <translation>Número de posiciones dudosas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the east</source>
+        <translation>Lugar mejor, metros hacia el este</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the north</source>
+        <translation>Lugar mejor, metros hacia el norte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Gain in agreement there</source>
+        <translation>Ganancia de concordancia allí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), longer half axis (m)</source>
+        <translation>Elipse de error (90 %), semieje mayor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), shorter half axis (m)</source>
+        <translation>Elipse de error (90 %), semieje menor (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Azimuth of the longer half axis (°)</source>
+        <translation>Acimut del semieje mayor (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/position_photos.py"/>
         <source>Position photos from a track</source>
         <translation>Situar fotos a partir de un track</translation>
@@ -1919,11 +2548,6 @@
         <location filename="../algorithms/position_photos.py"/>
         <source>from the track</source>
         <translation>del track</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/position_photos.py"/>
-        <source>Error of the position (m)</source>
-        <translation>Error de la posición (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2144,6 +2768,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../algorithms/shared/places_along.py"/>
         <source>The layer of points has no feature. Choose another, or clear the selection.</source>
         <translation>La capa de puntos no tiene ningún objeto. Elija otra o deshaga la selección.</translation>
     </message>
@@ -2310,11 +2935,77 @@
         <translation>Ajuste</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Rank</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Cabeceo (°, + hacia arriba)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Alabeo (°, + lado derecho más bajo)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Ángulo de visión vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitud de la cámara (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Probability that place (500 m) and heading (3°) are right</source>
+        <translation>Probabilidad de que lugar (500 m) y rumbo (3°) sean correctos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Agreement of the skyline with the horizon</source>
+        <translation>Concordancia de la línea del horizonte con el horizonte</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Correlation of place and focal length</source>
+        <translation>Correlación de lugar y distancia focal</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Distance from the recorded position (m)</source>
+        <translation>Distancia a la posición registrada (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Area (km²)</source>
+        <translation>Superficie (km²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lugar</translation>
+        <location filename="../core/report/orientability.py"/>
+        <source>Latitude</source>
+        <translation>Latitud</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Longitude</source>
+        <translation>Longitud</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/map_places.py"/>
@@ -2423,6 +3114,16 @@
         <translation>{count} de {total} objetos de imagen sobresalen de la imagen de {width} x {height} píxeles; lo que queda fuera no se sitúa. Compruebe que se dibujaron sobre esta imagen y no sobre una copia reducida, recortada o girada.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>mean probability</source>
+        <translation>probabilidad media</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>expected error (°)</source>
+        <translation>error esperado (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
         <translation>Campo de visión de la imagen derecha, por su centro. NULL: se calcula con la distancia focal del archivo. Los campos k1 y k2 dan la distorsión del objetivo (Brown, como en OpenCV).</translation>
@@ -2469,11 +3170,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Un punto sin foto</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Cancelado tras {done} de {count} fotos.</translation>
     </message>
@@ -2496,13 +3192,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
         <translation>Las fotos aceptadas ayudan a aquellas que ninguna línea del horizonte decide por sí sola: mediante rasgos comunes, donde la cámara solo giró (requiere OpenCV), y mediante el error de la brújula, que una cámara mantiene durante una hora. Las respuestas aceptadas no cambian. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2931,6 +3620,81 @@
         <location filename="../algorithms/shared/run_log.py"/>
         <source>about {hours} h left</source>
         <translation>quedan unas {hours} h</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Polygons in which the photographs may have been taken.</source>
+        <translation>Polígonos en los que se pueden haber tomado las fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Extent</source>
+        <translation>Extensión</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Rectangle to search, if no area is given.</source>
+        <translation>Rectángulo en que se busca, si no se da un área.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Radius around the recorded position (m)</source>
+        <translation>Radio alrededor de la posición registrada (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Searches around the position of each photograph, if neither an area nor an extent is given.</source>
+        <translation>Busca alrededor de la posición de cada fotografía, si no se da ni un área ni una extensión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Paths</source>
+        <translation>Caminos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Only places near these lines are searched, for example hiking trails and roads.</source>
+        <translation>Solo se examinan lugares cercanos a estas líneas, por ejemplo senderos y carreteras.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Distance from the paths (m)</source>
+        <translation>Distancia a los caminos (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Places farther from the paths are not searched. It should be at least half the spacing.</source>
+        <translation>No se examinan lugares más lejanos de los caminos. Debe ser al menos la mitad de la separación.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Weights of places</source>
+        <translation>Pesos de los lugares</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Raster with the relative probability that a photograph was taken at a place, for example from land cover or slope. Zero and nodata exclude a place.</source>
+        <translation>Ráster con la probabilidad relativa de que se tomara una fotografía en un lugar, por ejemplo según cobertura del suelo o pendiente. Cero y nodata excluyen un lugar.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
+        <translation>Elija dónde buscar: un área, una extensión o un radio alrededor de las posiciones registradas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The raster of weights excludes every place of the area. Choose another.</source>
+        <translation>El ráster de pesos excluye todos los lugares del área. Elija otro.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>{name} has no usable feature. Choose another layer.</source>
+        <translation>{name} no tiene ningún objeto utilizable. Elija otra capa.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The area is empty. Choose a larger one, or a larger distance from the paths.</source>
+        <translation>El área está vacía. Elija una mayor, o una distancia mayor a los caminos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -3409,18 +4173,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Rumbo (° desde el norte geográfico)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Ángulo de visión horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Terreno visible (m²)</translation>
     </message>
@@ -3611,11 +4363,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Seed</source>
-        <translation>Semilla</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>The same number gives the same picture.</source>
         <translation>El mismo número da la misma imagen.</translation>
     </message>
@@ -3713,11 +4460,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: los píxeles por metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, que puede usar para relaciones con ambas capas.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Places</source>
-        <translation>Lugares</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -4625,11 +5367,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Ángulo de visión vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Width of the upright picture (px)</source>
         <translation>Anchura de la imagen enderezada (px)</translation>
     </message>
@@ -4653,16 +5390,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Camera</source>
         <translation>Cámara</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Cabeceo (°, + hacia arriba)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Alabeo (°, + lado derecho más bajo)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4731,22 +5458,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilidad de que el rumbo sea correcto dentro de 3°</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Estado</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Message</source>
-        <translation>Mensaje</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Recorded heading (° from true north)</source>
         <translation>Rumbo registrado (° desde el norte geográfico)</translation>
     </message>
@@ -4764,11 +5475,6 @@
         <location filename="../core/base/attributes.py"/>
         <source>Distance of the horizon at the heading (m)</source>
         <translation>Distancia del horizonte en el rumbo (m)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitud de la cámara (m)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4959,6 +5665,21 @@
         <location filename="../core/batch.py"/>
         <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
         <translation>La línea del horizonte dibujada sobresale de la imagen de {width} x {height} píxeles. Dibújela sobre esta imagen, no sobre una copia reducida o girada.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>No place within {radius} m explains the skyline well. Check the field of view and the DEM, or search a larger area with Locate photos.</source>
+        <translation>Ningún lugar a menos de {radius} m explica bien la línea del horizonte. Compruebe el ángulo de visión y el MDE, o busque en un área mayor con «Localizar fotos».</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits from the recorded position about as well as from anywhere near it.</source>
+        <translation>La línea del horizonte encaja desde la posición registrada más o menos igual que desde cualquier lugar cercano.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits much better {distance} m away, at azimuth {azimuth} degrees; the heading differs by {turn} degrees there. Check the recorded position, which was not changed.</source>
+        <translation>La línea del horizonte encaja mucho mejor a {distance} m, en el acimut {azimuth} grados; el rumbo difiere allí en {turn} grados. Compruebe la posición registrada, que no se ha cambiado.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -5511,9 +6232,34 @@
         <translation>La brújula, corregida por su error de {error}° en {count} fotos de la misma hora (como {photo}), dio el rumbo aproximado.</translation>
     </message>
     <message>
-        <location filename="../core/many.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Se produjo un error inesperado en esta foto. Comuníquelo, por favor, y adjunte el registro.</translation>
+        <location filename="../core/locate/judge.py"/>
+        <source>From this place, the DEM horizon matches the skyline in {share} % of the columns; no place elsewhere in the area scores close.</source>
+        <translation>Desde este lugar, el horizonte del MDE coincide con la línea del horizonte en el {share} % de las columnas; ningún otro lugar del área se le acerca.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>No place in the area fits the skyline clearly. The photo was probably not taken in this area, or clouds, trees or a narrow view hide what would decide it. Choose another area, or give a sky mask or the field of view.</source>
+        <translation>Ningún lugar del área encaja claramente con la línea del horizonte. Probablemente la foto no se tomó en esta área, o nubes, árboles o una vista estrecha ocultan lo que decidiría. Elija otra área, o dé una máscara del cielo o el ángulo de visión.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>This place fits best, but others in the area fit nearly as well, or the fit is weak. Compare the candidates, or choose a smaller area.</source>
+        <translation>Este lugar es el que mejor encaja, pero otros del área encajan casi igual de bien, o el ajuste es débil. Compare los candidatos, o elija un área menor.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>The area needs an index of {needed} MB, and {limit} MB are allowed. Choose an area of at most {km2} km2, a wider spacing of the places, or a folder for the index, which then stays on disk.</source>
+        <translation>El área necesita un índice de {needed} MB, y se permiten {limit} MB. Elija un área de como máximo {km2} km2, una separación mayor de los lugares o una carpeta para el índice, que entonces queda en el disco.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>No part of the area lies inside the DEM. Choose an area that the DEM covers, or another DEM.</source>
+        <translation>Ninguna parte del área está dentro del MDE. Elija un área que el MDE cubra, u otro MDE.</translation>
+    </message>
+    <message>
+        <location filename="../core/locating.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain.</source>
+        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5890,18 +6636,6 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Latitude</source>
-        <translation>Latitud</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Longitude</source>
-        <translation>Longitud</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Error de posición, EXIF</translation>
     </message>
@@ -6035,6 +6769,16 @@
         <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Vacío</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Expected error of the heading</source>
+        <translation>Error esperado del rumbo</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Field of view {hfov}°</source>
+        <translation>Ángulo de visión {hfov}°</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>

@@ -33,6 +33,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -42,6 +43,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Include subfolders</source>
@@ -168,6 +170,7 @@
     <message>
         <location filename="../processing_provider/models.py"/>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/photo_viewshed.py"/>
         <location filename="../algorithms/position_photos.py"/>
         <source>Also searches all subfolders.</source>
@@ -390,6 +393,8 @@
     </message>
     <message>
         <location filename="../algorithms/directed_viewshed.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <location filename="../algorithms/shared/views.py"/>
         <location filename="../algorithms/simulate_photos.py"/>
@@ -546,6 +551,289 @@
         <translation>{share} % du terrain visible tombent là où l'image montre le ciel et n'ont pas été drapés. Vérifiez l'azimut de visée, le tangage et l'altitude de l'appareil.</translation>
     </message>
     <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Expected accuracy</source>
+        <translation>Précision attendue</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>simulation,accuracy,benchmark,planning,acceptance,coverage,montecarlo</source>
+        <translation>simulation,précision,banc d'essai,planification,acceptation,couverture,montecarlo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>How accurate orientation will be at given places over a given DEM, from simulated photographs</source>
+        <translation>Quelle précision aura l'orientation en des lieux donnés sur un MNT donné, d'après des photos simulées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulates photographs from the places with random directions, lenses, weather and errors of position and focal length, orients each of them as Orient photos does, and compares the answers with the truth: errors, share of accepted photographs, wrong ones among them, and how often the 90 % interval holds the truth.</source>
+        <translation>Simule des photos depuis les lieux avec des directions, objectifs, temps et erreurs de position et de focale aléatoires, oriente chacune comme le fait « Orienter des photos » et compare les réponses à la vérité : erreurs, part des photos acceptées, fausses parmi elles, et combien de fois l'intervalle à 90 % contient la vérité.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
+        <translation>L'appareil voit des montagnes plus rugueuses que le MNT. Une photo prend quelques secondes. De vraies photos peuvent être plus difficiles : comparez avec les chiffres pour de vraies photos dans la documentation.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Points, or lines along which places are taken.</source>
+        <translation>Points, ou lignes le long desquelles des lieux sont pris.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Distance between the places that are taken along lines.</source>
+        <translation>Distance entre les lieux pris le long des lignes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Step along lines (m)</source>
+        <translation>Pas le long des lignes (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>They are spread evenly over the places.</source>
+        <translation>Elles sont réparties également entre les lieux.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Number of photographs</source>
+        <translation>Nombre de photographies</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Weather</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>clear days</source>
+        <translation>jours clairs</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>half clear, half a season's weather</source>
+        <translation>moitié clair, moitié temps d'une saison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>a season's weather</source>
+        <translation>temps d'une saison</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>A season's weather has clouds, haze, trees, people and camera faults.</source>
+        <translation>Le temps d'une saison comprend nuages, brume, arbres, personnes et défauts de l'appareil.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Fields of view are drawn between the two.</source>
+        <translation>Les angles de champ sont tirés entre les deux.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Narrowest field of view (°)</source>
+        <translation>Angle de champ le plus étroit (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Widest field of view (°)</source>
+        <translation>Angle de champ le plus large (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Standard deviation of the recorded position in each direction.</source>
+        <translation>Écart type de la position enregistrée dans chaque direction.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <source>Error of the position (m)</source>
+        <translation>Erreur de la position (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
+        <translation>Rugosité des montagnes que le MNT ne montre pas, en cellules ; 0 photographie le MNT lui-même.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Roughness beyond the DEM</source>
+        <translation>Rugosité au-delà du MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The same seed gives the same photographs.</source>
+        <translation>La même graine donne les mêmes photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>One point per simulated photograph with its truth, the answer and the error.</source>
+        <translation>Un point par photo simulée avec sa vérité, la réponse et l'erreur.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Simulated photographs</source>
+        <translation>Photographies simulées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_coverage.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/position_photos.py"/>
+        <location filename="../algorithms/shared/coverage_outputs.py"/>
+        <location filename="../algorithms/simulate_photos.py"/>
+        <source>Number of photos</source>
+        <translation>Nombre de photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/orient_photos.py"/>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>Number of accepted photos</source>
+        <translation>Nombre de photos acceptées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Accepted photos that are wrong by more than 3°</source>
+        <translation>Photos acceptées fausses de plus de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 1°</source>
+        <translation>Part des azimuts à moins de 1°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of headings within 3°</source>
+        <translation>Part des azimuts à moins de 3°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Share of the accepted whose interval holds the truth</source>
+        <translation>Part des acceptées dont l'intervalle contient la vérité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The narrowest field of view must not be wider than the widest.</source>
+        <translation>L'angle de champ le plus étroit ne doit pas dépasser le plus large.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>None of the places has a usable position on this DEM.</source>
+        <translation>Aucun des lieux n'a de position utilisable sur ce MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/horizon_profile.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/panorama.py"/>
+        <location filename="../algorithms/shared/viewer.py"/>
+        <location filename="../algorithms/shared/views.py"/>
+        <location filename="../panel/model/session.py"/>
+        <source>The point has no usable position.</source>
+        <translation>Le point n'a pas de position utilisable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>{photos} photographs: {accepted} accepted, {wrong} of them wrong by more than 3°; {within} % of all headings are within 1° of the truth.</source>
+        <translation>{photos} photographies : {accepted} acceptées, dont {wrong} fausses de plus de 3° ; {within} % de tous les azimuts sont à moins de 1° de la vérité.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>True heading (°)</source>
+        <translation>Azimut vrai (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Heading found minus true heading (°)</source>
+        <translation>Azimut trouvé moins azimut vrai (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>Probability of a unique answer, predicted from the DEM</source>
+        <translation>Probabilité d'une réponse unique, prévue d'après le MNT</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Horizontal field of view (°)</source>
+        <translation>Angle de champ horizontal (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/viewshed_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Heading (° from true north)</source>
+        <translation>Azimut de visée (° depuis le nord géographique)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <source>The 90 % interval holds the true heading</source>
+        <translation>L'intervalle à 90 % contient l'azimut vrai</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Probability that the heading is right within 3°</source>
+        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <location filename="../core/report/overview.py"/>
+        <source>Status</source>
+        <translation>Statut</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/expected_accuracy.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
         <location filename="../algorithms/export_headings.py"/>
         <source>Export headings</source>
         <translation>Exporter les caps</translation>
@@ -629,18 +917,6 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>One line per photo, for spreadsheets.</source>
         <translation>Une ligne par photo, pour les tableurs.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/export_headings.py"/>
-        <location filename="../algorithms/import_photos.py"/>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_coverage.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <location filename="../algorithms/position_photos.py"/>
-        <location filename="../algorithms/shared/coverage_outputs.py"/>
-        <location filename="../algorithms/simulate_photos.py"/>
-        <source>Number of photos</source>
-        <translation>Nombre de photos</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -740,6 +1016,7 @@
         <location filename="../algorithms/shared/fields.py"/>
         <location filename="../algorithms/shared/image_features.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/monoplotting.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
@@ -835,15 +1112,6 @@
     <message>
         <location filename="../algorithms/horizon_profile.py"/>
         <location filename="../algorithms/panorama.py"/>
-        <location filename="../algorithms/shared/viewer.py"/>
-        <location filename="../algorithms/shared/views.py"/>
-        <location filename="../panel/model/session.py"/>
-        <source>The point has no usable position.</source>
-        <translation>Le point n'a pas de position utilisable.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/horizon_profile.py"/>
-        <location filename="../algorithms/panorama.py"/>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Source point</source>
         <translation>Point d'origine</translation>
@@ -903,6 +1171,7 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
         <source>JPEG and HEIC files are recognised by their content.</source>
         <translation>Les fichiers JPEG et HEIC sont reconnus à leur contenu.</translation>
     </message>
@@ -1042,6 +1311,164 @@
         <location filename="../algorithms/shared/monoplotting.py"/>
         <source>Elevation angle (°)</source>
         <translation>Hauteur angulaire (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Locate photos</source>
+        <translation>Localiser les photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>position,place,where,geolocation,photo,skyline,horizon,archive,search,gps,geotag</source>
+        <translation>position,lieu,où,géolocalisation,photo,ligne d'horizon,horizon,archive,recherche,gps,geotag</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Where photographs were taken, from their skyline and a DEM alone</source>
+        <translation>Où des photographies ont été prises, d'après leur ligne d'horizon et un MNT seulement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Compares the skyline of each photograph with the horizons of all places of an area, and gives the place, heading, pitch and roll that fit best. No position is needed in the photographs.</source>
+        <translation>Compare la ligne d'horizon de chaque photographie aux horizons de tous les lieux d'une zone et donne le lieu, l'azimut, le tangage et le roulis qui conviennent le mieux. Les photographies n'ont pas besoin de position.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>&lt;b&gt;status&lt;/b&gt; is &lt;i&gt;accepted&lt;/i&gt; (the place can be trusted), &lt;i&gt;ambiguous&lt;/i&gt; (compare the candidates), &lt;i&gt;rejected&lt;/i&gt; (the photograph was probably not taken in this area, or its skyline does not decide) or &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; is the probability that the place is within 500 m and the heading within 3 degrees of the truth.</source>
+        <translation>&lt;b&gt;status&lt;/b&gt; est &lt;i&gt;accepted&lt;/i&gt; (le lieu est fiable), &lt;i&gt;ambiguous&lt;/i&gt; (comparez les candidats), &lt;i&gt;rejected&lt;/i&gt; (la photographie n'a probablement pas été prise dans cette zone, ou sa ligne d'horizon ne décide pas) ou &lt;i&gt;failed&lt;/i&gt;. &lt;b&gt;p_correct&lt;/b&gt; est la probabilité que le lieu soit à moins de 500 m et l'azimut à moins de 3 degrés de la vérité.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
+        <translation>Les horizons de la zone sont calculés une fois, environ 2 ms par lieu. Choisissez un dossier pour eux afin de les réutiliser. Une vue large de montagnes lointaines se localise bien ; un téléobjectif ou une pente proche, non. Un lieu peut révéler où des personnes vivent ou se trouvaient : utilisez la réponse de façon responsable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Best places</source>
+        <translation>Meilleurs lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph at the best place.</source>
+        <translation>Un point par photographie au meilleur lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Candidate places</source>
+        <translation>Lieux candidats</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The best places of each photograph, ranked, with the pose at each.</source>
+        <translation>Les meilleurs lieux de chaque photographie, classés, avec la pose à chacun.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Regions of 90 % probability</source>
+        <translation>Régions à 90 % de probabilité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Polygons that hold 90 % of the probability if the photograph was taken in the area.</source>
+        <translation>Polygones qui contiennent 90 % de la probabilité si la photographie a été prise dans la zone.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Distance between the places that are tried; the best of them are moved afterwards.</source>
+        <translation>Distance entre les lieux essayés ; les meilleurs sont ensuite déplacés.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Spacing of the places (m)</source>
+        <translation>Espacement des lieux (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Field of view of the upright picture. NULL: computed from the focal length in the file.</source>
+        <translation>Angle de champ de l'image droite. NULL : calculé d'après la focale du fichier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Tried for photographs without a focal length and without a given field of view.</source>
+        <translation>Essayé pour les photographies sans focale et sans angle de champ donné.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Narrowest field of view to try (°)</source>
+        <translation>Angle de champ le plus étroit à essayer (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Widest field of view to try (°)</source>
+        <translation>Angle de champ le plus large à essayer (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest height of the camera above the ground, for towers and drones. Heights up to it are tried.</source>
+        <translation>Plus grande hauteur de l'appareil au-dessus du sol, pour les tours et les drones. Les hauteurs jusqu'à elle sont essayées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Greatest camera height (m)</source>
+        <translation>Plus grande hauteur de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Maximum distance of the mountains on the skyline, in metres on the ground.</source>
+        <translation>Distance maximale des montagnes de la ligne d'horizon, en mètres au sol.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Largest index of horizons that is held in memory; a folder for the index has no such limit.</source>
+        <translation>Plus grand index d'horizons tenu en mémoire ; un dossier pour l'index n'a pas cette limite.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Memory for the index (MB)</source>
+        <translation>Mémoire pour l'index (Mo)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Keeps the horizons of the area, about 3 kB for each place, so that later runs start at once.</source>
+        <translation>Garde les horizons de la zone, environ 3 ko par lieu, pour que les exécutions suivantes commencent aussitôt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>Folder for the index</source>
+        <translation>Dossier pour l'index</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>A point without a photo</source>
+        <translation>Un point sans photo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../core/many.py"/>
+        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
+        <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>{count} places are searched.</source>
+        <translation>{count} lieux sont examinés.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -1418,10 +1845,116 @@
         <translation>Les azimuts se comptent dans le sens horaire depuis le nord géographique. La géométrie d'un point est la position de l'appareil. Pour les photos qui échouent, donnez un azimut approché, un point de repère, une ligne d'horizon dessinée ou un masque de ciel (Avancé).</translation>
     </message>
     <message>
-        <location filename="../algorithms/orient_photos.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
-        <source>Number of accepted photos</source>
-        <translation>Nombre de photos acceptées</translation>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>Orientability</source>
+        <translation>Orientabilité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>planning,camera,webcam,repeat photography,horizon,ambiguity,accuracy,prediction</source>
+        <translation>planification,caméra,webcam,photographie répétée,horizon,ambiguïté,précision,prévision</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>How well a photo from a place could be oriented, by direction and field of view, from the DEM alone</source>
+        <translation>Avec quelle qualité une photo prise d'un lieu pourrait être orientée, par direction et angle de champ, d'après le MNT seulement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Compares each stretch of the horizon with all others, as a photograph of it would be compared, and predicts the probability that its heading is found and the error of that heading. Use it to plan cameras and repeat photography.</source>
+        <translation>Compare chaque portion de l'horizon à toutes les autres, comme on comparerait une photographie, et prévoit la probabilité que son azimut soit trouvé et l'erreur de cet azimut. Sert à planifier des caméras et la photographie répétée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
+        <translation>Un horizon qui se répète, un horizon plat et un horizon de terrain proche sont difficiles à orienter. La prévision suppose une photographie dont la ligne d'horizon est visible ; nuages et arbres s'y ajoutent.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Horizontal fields of view (°)</source>
+        <translation>Angles de champ horizontaux (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Numbers between 5 and 120, separated by commas.</source>
+        <translation>Nombres entre 5 et 120, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Standard deviation of the camera's position; it matters if terrain is near.</source>
+        <translation>Écart type de la position de l'appareil ; il compte si du terrain est proche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Extent of the raster</source>
+        <translation>Emprise du raster</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Area of the optional raster.</source>
+        <translation>Zone du raster facultatif.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Size of the cells of the raster, rounded to whole cells of the DEM.</source>
+        <translation>Taille des cellules du raster, arrondie à des cellules entières du MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Cells of the raster (m)</source>
+        <translation>Cellules du raster (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>One point per place and field of view, with the probability in eight directions.</source>
+        <translation>Un point par lieu et angle de champ, avec la probabilité dans huit directions.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Orientability of places</source>
+        <translation>Orientabilité des lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
+        <translation>Bandes : probabilité moyenne, probabilité dans huit directions et erreur attendue, pour le premier angle.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Number of places</source>
+        <translation>Nombre de lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose places, or an extent and a raster to write.</source>
+        <translation>Choisissez des lieux, ou une emprise et un raster à écrire.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Choose the extent of the raster.</source>
+        <translation>Choisissez l'emprise du raster.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>The fields of view must be numbers between 5 and 120, separated by commas.</source>
+        <translation>Les angles de champ doivent être des nombres entre 5 et 120, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Probability of a unique answer towards {direction}</source>
+        <translation>Probabilité d'une réponse unique vers {direction}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Mean probability of a unique answer</source>
+        <translation>Probabilité moyenne d'une réponse unique</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/orientability.py"/>
+        <source>Expected error of the heading (°)</source>
+        <translation>Erreur attendue de l'azimut (°)</translation>
     </message>
     <message>
         <location filename="../algorithms/panorama.py"/>
@@ -1566,6 +2099,7 @@
     <message>
         <location filename="../algorithms/photo_coverage.py"/>
         <location filename="../algorithms/shared/parameters.py"/>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>Area</source>
         <translation>Étendue</translation>
     </message>
@@ -1766,6 +2300,101 @@
         <translation>Nombre d'entités qui ne montrent aucun terrain</translation>
     </message>
     <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Check photo positions</source>
+        <translation>Vérifier les positions des photos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>position,gps,check,wrong,shift,photo,skyline,horizon,quality</source>
+        <translation>position,gps,vérifier,faux,décalage,photo,ligne d'horizon,horizon,qualité</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Whether the recorded position of a photo agrees with its skyline, and where a better place is</source>
+        <translation>Si la position enregistrée d'une photo concorde avec sa ligne d'horizon, et où se trouve un meilleur lieu</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Orients each photograph from its recorded position and then tries places around it. If the skyline fits much better somewhere else, &lt;b&gt;verdict&lt;/b&gt; is &lt;i&gt;doubtful&lt;/i&gt;, and &lt;b&gt;dx&lt;/b&gt; and &lt;b&gt;dy&lt;/b&gt; give the way there in metres to the east and north. Positions are reported and never changed.</source>
+        <translation>Oriente chaque photographie depuis sa position enregistrée puis essaie des lieux autour. Si la ligne d'horizon convient beaucoup mieux ailleurs, &lt;b&gt;verdict&lt;/b&gt; est &lt;i&gt;doubtful&lt;/i&gt;, et &lt;b&gt;dx&lt;/b&gt; et &lt;b&gt;dy&lt;/b&gt; donnent le chemin jusque-là en mètres vers l'est et le nord. Les positions sont signalées et jamais modifiées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>A skyline of far mountains says little about a position: a &lt;i&gt;believable&lt;/i&gt; verdict only means that no place nearby fits much better. The error ellipse says how well the skyline fixes the better place.</source>
+        <translation>Une ligne d'horizon de montagnes lointaines dit peu d'une position : un verdict &lt;i&gt;believable&lt;/i&gt; signifie seulement qu'aucun lieu proche ne convient beaucoup mieux. L'ellipse d'erreur dit avec quelle précision la ligne d'horizon fixe le meilleur lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
+        <translation>Les lieux plus éloignés de la position enregistrée ne sont pas essayés. Le temps croît avec le carré.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Search radius (m)</source>
+        <translation>Rayon de recherche (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Checked positions</source>
+        <translation>Positions vérifiées</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>The photo points with the verdict and the way to the better place.</source>
+        <translation>Les points des photos avec le verdict et le chemin vers le meilleur lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Number of doubtful positions</source>
+        <translation>Nombre de positions douteuses</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the east</source>
+        <translation>Meilleur lieu, mètres vers l'est</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Better place, metres to the north</source>
+        <translation>Meilleur lieu, mètres vers le nord</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <source>Gain in agreement there</source>
+        <translation>Gain de concordance à cet endroit</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), longer half axis (m)</source>
+        <translation>Ellipse d'erreur (90 %), demi-grand axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Error ellipse (90 %), shorter half axis (m)</source>
+        <translation>Ellipse d'erreur (90 %), demi-petit axe (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/position_check.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Azimuth of the longer half axis (°)</source>
+        <translation>Azimut du demi-grand axe (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/position_photos.py"/>
         <source>Position photos from a track</source>
         <translation>Positionner des photos d’après une trace</translation>
@@ -1919,11 +2548,6 @@
         <location filename="../algorithms/position_photos.py"/>
         <source>from the track</source>
         <translation>d’après la trace</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/position_photos.py"/>
-        <source>Error of the position (m)</source>
-        <translation>Erreur de la position (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2144,6 +2768,7 @@
     </message>
     <message>
         <location filename="../algorithms/shared/layers.py"/>
+        <location filename="../algorithms/shared/places_along.py"/>
         <source>The layer of points has no feature. Choose another, or clear the selection.</source>
         <translation>La couche de points n'a pas d'entité. Choisissez-en une autre ou videz la sélection.</translation>
     </message>
@@ -2310,11 +2935,77 @@
         <translation>Appariement</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <location filename="../algorithms/which_photos.py"/>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Pitch (°, + up)</source>
+        <translation>Tangage (°, + vers le haut)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Roll (°, + right side down)</source>
+        <translation>Roulis (°, + côté droit plus bas)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Vertical field of view (°)</source>
+        <translation>Angle de champ vertical (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../core/base/attributes.py"/>
+        <source>Elevation of the camera (m)</source>
+        <translation>Altitude de l'appareil (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Probability that place (500 m) and heading (3°) are right</source>
+        <translation>Probabilité que le lieu (500 m) et l'azimut (3°) soient justes</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Agreement of the skyline with the horizon</source>
+        <translation>Concordance de la ligne d'horizon avec l'horizon</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <source>Correlation of place and focal length</source>
+        <translation>Corrélation du lieu et de la focale</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Distance from the recorded position (m)</source>
+        <translation>Distance à la position enregistrée (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_outputs.py"/>
+        <source>Area (km²)</source>
+        <translation>Surface (km²)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
         <location filename="../core/report/horizon.py"/>
-        <source>Place</source>
-        <translation>Lieu</translation>
+        <location filename="../core/report/orientability.py"/>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/located_report.py"/>
+        <location filename="../core/report/facts.py"/>
+        <location filename="../core/report/horizon.py"/>
+        <location filename="../core/report/orientability.py"/>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/map_places.py"/>
@@ -2423,6 +3114,16 @@
         <translation>{count} objets image sur {total} dépassent de l'image de {width} x {height} pixels ; rien n'est placé en dehors. Vérifiez qu'ils ont été dessinés sur cette image et non sur une copie réduite, recadrée ou tournée.</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>mean probability</source>
+        <translation>probabilité moyenne</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientability_outputs.py"/>
+        <source>expected error (°)</source>
+        <translation>erreur attendue (°)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Field of view of the upright picture, across its middle. NULL: computed from the focal length in the file. Fields named k1 and k2 give the distortion of the lens (Brown, as in OpenCV).</source>
         <translation>Champ de vision de l'image redressée, en son milieu. NULL : calculé d'après la focale du fichier. Des champs nommés k1 et k2 donnent la distorsion de l'objectif (Brown, comme dans OpenCV).</translation>
@@ -2469,11 +3170,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>A point without a photo</source>
-        <translation>Un point sans photo</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Annulé après {done} photos sur {count}.</translation>
     </message>
@@ -2496,13 +3192,6 @@
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
         <translation>Les photos acceptées aident celles qu’aucune ligne d’horizon ne départage seule : par des points communs, là où l’appareil n’a fait que tourner (nécessite OpenCV), et par l’erreur de la boussole, qu’un appareil conserve pendant une heure. Les réponses acceptées ne changent pas. Tous les résultats restent en mémoire jusqu’à la fin, environ 3 Mo par photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -2931,6 +3620,81 @@
         <location filename="../algorithms/shared/run_log.py"/>
         <source>about {hours} h left</source>
         <translation>encore environ {hours} h</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Polygons in which the photographs may have been taken.</source>
+        <translation>Polygones dans lesquels les photographies peuvent avoir été prises.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Extent</source>
+        <translation>Emprise</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Rectangle to search, if no area is given.</source>
+        <translation>Rectangle à examiner, si aucune zone n'est donnée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Radius around the recorded position (m)</source>
+        <translation>Rayon autour de la position enregistrée (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Searches around the position of each photograph, if neither an area nor an extent is given.</source>
+        <translation>Cherche autour de la position de chaque photographie, si ni zone ni emprise n'est donnée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Paths</source>
+        <translation>Chemins</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Only places near these lines are searched, for example hiking trails and roads.</source>
+        <translation>Seuls les lieux proches de ces lignes sont examinés, par exemple sentiers et routes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Distance from the paths (m)</source>
+        <translation>Distance aux chemins (m)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Places farther from the paths are not searched. It should be at least half the spacing.</source>
+        <translation>Les lieux plus éloignés des chemins ne sont pas examinés. Elle doit valoir au moins la moitié de l'espacement.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Weights of places</source>
+        <translation>Poids des lieux</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Raster with the relative probability that a photograph was taken at a place, for example from land cover or slope. Zero and nodata exclude a place.</source>
+        <translation>Raster de la probabilité relative qu'une photographie ait été prise en un lieu, par exemple d'après l'occupation du sol ou la pente. Zéro et nodata excluent un lieu.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
+        <translation>Choisissez où chercher : une zone, une emprise, ou un rayon autour des positions enregistrées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The raster of weights excludes every place of the area. Choose another.</source>
+        <translation>Le raster des poids exclut tous les lieux de la zone. Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>{name} has no usable feature. Choose another layer.</source>
+        <translation>{name} n'a aucune entité utilisable. Choisissez une autre couche.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The area is empty. Choose a larger one, or a larger distance from the paths.</source>
+        <translation>La zone est vide. Choisissez-en une plus grande, ou une plus grande distance aux chemins.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/sky_view_output.py"/>
@@ -3409,18 +4173,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Heading (° from true north)</source>
-        <translation>Azimut de visée (° depuis le nord géographique)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
-        <location filename="../core/base/attributes.py"/>
-        <source>Horizontal field of view (°)</source>
-        <translation>Angle de champ horizontal (°)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/viewshed_outputs.py"/>
         <source>Ground in view (m²)</source>
         <translation>Terrain visible (m²)</translation>
     </message>
@@ -3611,11 +4363,6 @@
     </message>
     <message>
         <location filename="../algorithms/simulate_photos.py"/>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/simulate_photos.py"/>
         <source>The same number gives the same picture.</source>
         <translation>Le même nombre donne la même image.</translation>
     </message>
@@ -3713,11 +4460,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : les pixels par mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, que vous pouvez utiliser pour des relations avec les deux couches.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Places</source>
-        <translation>Lieux</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -4625,11 +5367,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Vertical field of view (°)</source>
-        <translation>Angle de champ vertical (°)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Width of the upright picture (px)</source>
         <translation>Largeur de l'image redressée (px)</translation>
     </message>
@@ -4653,16 +5390,6 @@
         <location filename="../core/report/facts.py"/>
         <source>Camera</source>
         <translation>Appareil photo</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Pitch (°, + up)</source>
-        <translation>Tangage (°, + vers le haut)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Roll (°, + right side down)</source>
-        <translation>Roulis (°, + côté droit plus bas)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4731,22 +5458,6 @@
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
-        <source>Probability that the heading is right within 3°</source>
-        <translation>Probabilité que l'azimut soit juste à 3° près</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <location filename="../core/report/overview.py"/>
-        <source>Status</source>
-        <translation>Statut</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Message</source>
-        <translation>Message</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
         <source>Recorded heading (° from true north)</source>
         <translation>Azimut enregistré (° depuis le nord géographique)</translation>
     </message>
@@ -4764,11 +5475,6 @@
         <location filename="../core/base/attributes.py"/>
         <source>Distance of the horizon at the heading (m)</source>
         <translation>Distance de l'horizon dans l'azimut de visée (m)</translation>
-    </message>
-    <message>
-        <location filename="../core/base/attributes.py"/>
-        <source>Elevation of the camera (m)</source>
-        <translation>Altitude de l'appareil (m)</translation>
     </message>
     <message>
         <location filename="../core/base/attributes.py"/>
@@ -4959,6 +5665,21 @@
         <location filename="../core/batch.py"/>
         <source>The drawn skyline reaches beyond the picture of {width} x {height} pixels. Draw it on this picture, not on a reduced or turned copy.</source>
         <translation>La ligne d'horizon dessinée dépasse de l'image de {width} x {height} pixels. Dessinez-la sur cette image, et non sur une copie réduite ou tournée.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>No place within {radius} m explains the skyline well. Check the field of view and the DEM, or search a larger area with Locate photos.</source>
+        <translation>Aucun lieu à moins de {radius} m n'explique bien la ligne d'horizon. Vérifiez l'angle de champ et le MNT, ou cherchez dans une zone plus grande avec « Localiser les photos ».</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits from the recorded position about as well as from anywhere near it.</source>
+        <translation>La ligne d'horizon convient depuis la position enregistrée à peu près aussi bien que depuis tout lieu proche.</translation>
+    </message>
+    <message>
+        <location filename="../core/checking.py"/>
+        <source>The skyline fits much better {distance} m away, at azimuth {azimuth} degrees; the heading differs by {turn} degrees there. Check the recorded position, which was not changed.</source>
+        <translation>La ligne d'horizon convient beaucoup mieux à {distance} m, à l'azimut {azimuth} degrés ; l'azimut y diffère de {turn} degrés. Vérifiez la position enregistrée, qui n'a pas été modifiée.</translation>
     </message>
     <message>
         <location filename="../core/figures/annotate.py"/>
@@ -5511,9 +6232,34 @@
         <translation>La boussole, corrigée de son erreur de {error}° sur {count} photos de la même heure (comme {photo}), a donné le cap approximatif.</translation>
     </message>
     <message>
-        <location filename="../core/many.py"/>
-        <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
-        <translation>Une erreur inattendue s'est produite pour cette photo. Veuillez la signaler en joignant le journal.</translation>
+        <location filename="../core/locate/judge.py"/>
+        <source>From this place, the DEM horizon matches the skyline in {share} % of the columns; no place elsewhere in the area scores close.</source>
+        <translation>De ce lieu, l'horizon du MNT coïncide avec la ligne d'horizon dans {share} % des colonnes ; aucun lieu ailleurs dans la zone ne s'en approche.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>No place in the area fits the skyline clearly. The photo was probably not taken in this area, or clouds, trees or a narrow view hide what would decide it. Choose another area, or give a sky mask or the field of view.</source>
+        <translation>Aucun lieu de la zone ne convient clairement à la ligne d'horizon. La photo n'a probablement pas été prise dans cette zone, ou des nuages, des arbres ou une vue étroite cachent ce qui déciderait. Choisissez une autre zone, ou donnez un masque du ciel ou l'angle de champ.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/judge.py"/>
+        <source>This place fits best, but others in the area fit nearly as well, or the fit is weak. Compare the candidates, or choose a smaller area.</source>
+        <translation>Ce lieu convient le mieux, mais d'autres dans la zone conviennent presque aussi bien, ou l'ajustement est faible. Comparez les candidats, ou choisissez une zone plus petite.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>The area needs an index of {needed} MB, and {limit} MB are allowed. Choose an area of at most {km2} km2, a wider spacing of the places, or a folder for the index, which then stays on disk.</source>
+        <translation>La zone demande un index de {needed} Mo, et {limit} Mo sont permis. Choisissez une zone d'au plus {km2} km2, un plus grand espacement des lieux, ou un dossier pour l'index, qui reste alors sur le disque.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/places.py"/>
+        <source>No part of the area lies inside the DEM. Choose an area that the DEM covers, or another DEM.</source>
+        <translation>Aucune partie de la zone ne se trouve dans le MNT. Choisissez une zone que le MNT couvre, ou un autre MNT.</translation>
+    </message>
+    <message>
+        <location filename="../core/locating.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain.</source>
+        <translation>Presque aucune colonne de l'image ne montre une limite entre ciel et terrain.</translation>
     </message>
     <message>
         <location filename="../core/match/landmarks.py"/>
@@ -5890,18 +6636,6 @@
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Latitude</source>
-        <translation>Latitude</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <location filename="../core/report/horizon.py"/>
-        <source>Longitude</source>
-        <translation>Longitude</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
         <source>Position error, EXIF</source>
         <translation>Erreur de position, EXIF</translation>
     </message>
@@ -6035,6 +6769,16 @@
         <location filename="../core/report/horizon.py"/>
         <source>Void</source>
         <translation>Lacune</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Expected error of the heading</source>
+        <translation>Erreur attendue de l'azimut</translation>
+    </message>
+    <message>
+        <location filename="../core/report/orientability.py"/>
+        <source>Field of view {hfov}°</source>
+        <translation>Angle de champ {hfov}°</translation>
     </message>
     <message>
         <location filename="../core/report/overview.py"/>

@@ -33,6 +33,10 @@ ALGORITHMS = (
     ("which_photos", "WhichPhotos"),
     ("panorama", "Panorama"),
     ("photo_coverage", "PhotoCoverage"),
+    ("locate_photos", "LocatePhotos"),
+    ("position_check", "PositionCheck"),
+    ("orientability", "Orientability"),
+    ("expected_accuracy", "ExpectedAccuracy"),
 )
 """(module under `algorithms`, class), in the order in which a user needs them."""
 

@@ -11,9 +11,9 @@ from skyline_viewshed.core.base.model import Photo, PhotoMetadata
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.simulate.render import RenderedView, render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
+from skyline_viewshed.core.simulate.weather import hard_scene
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
-from skyline_viewshed.demo.weather import hard_scene
 
 F35_MM = 35.0
 

@@ -19,6 +19,8 @@ class HorizonReport:
         As in `processAlgorithm`; the report goes to the parameter `REPORT`, if requested.
     """
 
+    WRITER = "horizon"
+
     def __init__(self, algorithm, parameters, context):
         self.path = algorithm.parameterAsFileOutput(parameters, "REPORT", context)
         self.title, self.facts = algorithm.displayName(), facts_of(algorithm, parameters, context)
@@ -28,10 +30,9 @@ class HorizonReport:
     def __enter__(self):
         if self.path:
             from ...core.io.whole_file import ReportFile
-            from ...core.report.horizon import HorizonReportWriter
 
             make_folder_of(self.path)
-            writer = HorizonReportWriter(
+            writer = _writer(self.WRITER)(
                 ReportFile(self.path),
                 self.title,
                 self.facts,
@@ -58,3 +59,10 @@ class HorizonReport:
     def outputs(self):
         """Return the output's name and path."""
         return {"REPORT": self.path} if self.path else {}
+
+
+def _writer(name):
+    from ...core.report.horizon import HorizonReportWriter
+    from ...core.report.orientability import OrientabilityReportWriter
+
+    return {"horizon": HorizonReportWriter, "orientability": OrientabilityReportWriter}[name]

@@ -49,6 +49,10 @@ class HorizonReportWriter(PageWriter):
         tables = joined(fact_table(title, part) for title, part in titles)
         self._card("place", name, joined([drawing, fill("numbers", tables=tables)]))
 
+    def remember(self, name, horizon):
+        """Take the place of a card that is written otherwise into the table."""
+        self._rows.append((name, _facts(horizon, None, self._say)))
+
     def add_failed(self, name, message):
         """Append the card of a place without a horizon, with the reason."""
         self._rows.append((name, None))

@@ -22,9 +22,9 @@ from skyline_viewshed.core.figures.overlay import overlay_image
 from skyline_viewshed.core.figures.raster import TypeStyle, draw_words
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.io.write_photo import write_photo
+from skyline_viewshed.core.simulate.detail import DetailedTerrain
 from skyline_viewshed.core.simulate.render import render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
-from skyline_viewshed.demo.detail import DetailedTerrain
 
 WIDTH, HEIGHT = 720, 480
 CAPTION = 62

@@ -12,7 +12,7 @@ from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, bilinear
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.simulate.render import render_view
 from skyline_viewshed.core.simulate.scene import SceneOptions
-from skyline_viewshed.demo.weather import hard_scene
+from skyline_viewshed.core.simulate.weather import hard_scene
 
 CAMERA = Camera(240, 180, 260.0)
 

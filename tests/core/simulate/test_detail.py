@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scenes import small_mountains
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Window
-from skyline_viewshed.demo.detail import DetailedTerrain
+from skyline_viewshed.core.simulate.detail import DetailedTerrain
 
 
 def test_without_detail_a_smooth_surface_is_only_sampled_finer():

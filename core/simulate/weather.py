@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..core.simulate.scene import CLOUDS, FOREGROUNDS, SceneOptions
+from .scene import CLOUDS, FOREGROUNDS, SceneOptions
 
 
 def hard_scene(seed, **changes):

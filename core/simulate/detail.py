@@ -7,13 +7,14 @@ does. This finer terrain stands in for the mountain of which the model is the bl
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy import ndimage
 
-from ..core.base.frame import LocalFrame
-from ..core.base.terrain import Terrain, Window
-from .mountains import roughness
+from ..base.frame import LocalFrame
+from ..base.terrain import Terrain, Window
+from .roughness import roughness
 
 MARGIN_CELLS = 6
 """Coarse cells read around a window, so that its edge does not affect the filters."""
@@ -37,7 +38,7 @@ class DetailedTerrain(Terrain):
         How far crests rise above, and hollows sink below, the smoothed model (1: what a blur of one cell removed).
     """
 
-    terrain: Terrain
+    terrain: Any
     factor: int = 4
     seed: int = 0
     strength: float = 0.22
@@ -48,7 +49,7 @@ class DetailedTerrain(Terrain):
             raise ValueError(f"detail needs a factor of at least 1 and no negative strength, not {self}")
 
     @property
-    def shape(self):
+    def shape(self):  # type: ignore[override]  # nobody sets a terrain's shape from outside
         """(rows, columns) of the fine raster."""
         rows, cols = self.terrain.shape
         return rows * self.factor, cols * self.factor

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from skyline_viewshed.core.simulate.scene import CLOUDS, FOREGROUNDS
-from skyline_viewshed.demo.weather import hard_scene
+from skyline_viewshed.core.simulate.weather import hard_scene
 
 
 def test_hard_scenes_are_seeded_and_cover_all_kinds():

@@ -1,0 +1,63 @@
+import os
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from skyline_viewshed.core.base.errors import OutputError
+from skyline_viewshed.core.io.array_folder import ArrayFolder, mark_of
+
+
+def fill(folder, value):
+    with folder.filling() as hold:
+        hold("a", (3, 2), np.int16)[:] = value
+        hold("b", (2,), np.float64)[:] = value
+
+
+def test_arrays_are_read_from_disk_without_loading(tmp_path):
+    folder = ArrayFolder(tmp_path / "new" / "index")
+    assert folder.read(("a",)) is None
+    fill(folder, 7)
+    arrays = folder.read(("a", "b"))
+    assert isinstance(arrays["a"], np.memmap) and (arrays["a"] == 7).all() and arrays["b"].tolist() == [7.0, 7.0]
+    assert folder.read(("a", "c")) is None
+
+
+def test_a_run_that_fails_leaves_the_older_folder(tmp_path):
+    folder = ArrayFolder(tmp_path / "index")
+    fill(folder, 1)
+    with pytest.raises(RuntimeError), folder.filling() as hold:
+        hold("a", (3, 2), np.int16)[:] = 2
+        raise RuntimeError
+    assert (folder.read(("a",))["a"] == 1).all()
+    assert [path.name for path in tmp_path.iterdir()] == ["index"]
+
+
+def test_a_new_folder_takes_the_place_of_the_older_one(tmp_path):
+    folder = ArrayFolder(tmp_path / "index")
+    fill(folder, 1)
+    fill(folder, 2)
+    assert (folder.read(("a",))["a"] == 2).all()
+
+
+def test_a_damaged_array_counts_as_missing(tmp_path):
+    folder = ArrayFolder(tmp_path / "index")
+    fill(folder, 1)
+    (tmp_path / "index" / "a.npy").write_bytes(b"\x93NUMPY")
+    assert folder.read(("a", "b")) is None
+
+
+def test_a_folder_that_cannot_be_written_is_told(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(OutputError, match="cannot be written"), ArrayFolder(tmp_path / "file" / "index").filling():
+        pass
+
+
+def test_the_mark_follows_the_file_and_the_facts(tmp_path):
+    path = tmp_path / "dem.tif"
+    path.write_bytes(b"1")
+    dem = SimpleNamespace(path=str(path), band=1, shape=(2, 2), geotransform=(0, 1, 0, 0, 0, -1), crs_wkt="x")
+    first = mark_of(dem, "area")
+    assert first == mark_of(dem, "area") != mark_of(dem, "other area")
+    path.write_bytes(b"22")
+    os.utime(path, (1, 1))
+    assert mark_of(dem, "area") != first
