@@ -3,8 +3,8 @@
 The model is a conditional logit per column: score = weights . features, softmax over the rows. Neighbouring columns
 see much the same pixels, so the log-probabilities are tempered before they are joined along the columns by
 forward-backward. The matcher should use the whole distribution: a column with two likely rows (snow edge, cloud edge)
-then helps whichever heading explains one of them. `best` is for drawing. A frame around the picture (a scan's border,
-letterbox bars) is cut off first and put back around the result.
+then helps whichever heading explains one of them. `best` is for drawing and lies between the rows. A frame around the
+picture (a scan's border, letterbox bars) is cut off first and put back around the result.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from ..base import imaging
 from ..base.errors import SkylineNotFoundError
 from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
-from .appearance import measure
+from .appearance import EDGE_SIGMAS_PX, measure
 from .colour import learn_sky, relearn_sky
 from .features import boundary_features, log_probability, means_above_below, normalised
 from .network import resized, row_probability, sky_log_odds
-from .seam import best_line, row_marginals
+from .seam import best_line, placed_between_rows, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("weights.json")
 SMALLEST_PX = 24
@@ -144,7 +144,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
         edges, score, probability = _believe(appearance, ratio, log_odds, options)
     line = best_line(score, options.seam_cost_per_px)
     evidence = SkylineEvidence(
-        **_laid_out(probability, line, crop, reduced.shape),
+        **_laid_out(appearance, probability, line, crop, reduced.shape),
         width_px=width_px or width,
         height_px=height_px or height,
         crop=crop,
@@ -155,7 +155,7 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
     rival = _rival(edges, probability, line, options)  # the network takes a pale range for sky
     if rival is None:
         return evidence
-    return replace(evidence, rival=replace(evidence, **_laid_out(*rival, crop, reduced.shape)))
+    return replace(evidence, rival=replace(evidence, **_laid_out(appearance, *rival, crop, reduced.shape)))
 
 
 def _first_colours(log_odds, appearance, options):
@@ -170,12 +170,15 @@ def _first_colours(log_odds, appearance, options):
     return relearn_sky(appearance, probability, np.zeros_like(probability))
 
 
-def _laid_out(probability, line, crop, shape):
+def _laid_out(appearance, probability, line, crop, shape):
     """Fields of `SkylineEvidence` that describe one line, in the frame of the whole reduced picture."""
     inside, leaves_frame = _cut_ridges_apart(probability)
+    placed = placed_between_rows(line, appearance.edges[EDGE_SIGMAS_PX[0]])
+    # At the edge of the frame there is no sky above the line, and so no whole ramp.
+    placed = np.where(line > TOP_ROWS, placed, line)
     return {
         "probability": _framed(inside, crop, shape),
-        "best": _skyline(line, probability, crop, shape),
+        "best": _skyline(line, placed, probability, crop, shape),
         "leaves_frame": np.pad(leaves_frame, crop[2:]),
     }
 
@@ -261,8 +264,8 @@ def _cut_ridges_apart(probability):
     return inside, probability[0].astype(np.float32)
 
 
-def _skyline(line, probability, crop, shape):
-    """Best line, with the probability per column that it is right to about half a per cent of the height."""
+def _skyline(line, placed, probability, crop, shape):
+    """Line as placed between the rows, with the probability per column that it is right to half a per cent or so."""
     top, _, left, _ = crop
     inner_height, inner_width = probability.shape
     reach = max(2, round(0.005 * inner_height))
@@ -271,7 +274,7 @@ def _skyline(line, probability, crop, shape):
     low, high = np.maximum(line - reach, 0), np.minimum(line + reach + 1, inner_height)
     inside = total[high, columns] - total[low, columns]
     believed = (inside >= BELIEVABLE) & (line > TOP_ROWS) & (probability[0] < 0.5)
-    row_px = np.interp(np.arange(shape[1]), columns + left, line + float(top))
+    row_px = np.interp(np.arange(shape[1]), columns + left, placed + float(top))
     confidence = np.zeros(shape[1])
     confidence[left : left + inner_width] = np.where(believed, np.clip(inside, 0, 1), 0)
     return Skyline(row_px, confidence, shape[1], shape[0])
