@@ -92,12 +92,9 @@ class PositionPhotos(SkylineAlgorithm):
         )
         text = tr("The skylines show where the photographs were taken, and so how much the clock is ahead.")
         self.addParameter(shared.explained(clock, text))
-        self.addParameter(
-            shared.number(
-                "CLOCK_OFFSET", tr("Clock is ahead by (s)"), 0.0,
-                tr("Seconds by which the camera's clock is ahead of the true time; negative if it is behind."),
-            )
-        )  # fmt: skip
+        text = tr("Seconds by which the camera's clock is ahead of the true time; negative if it is behind.")
+        offset = shared.number("CLOCK_OFFSET", tr("Clock is ahead by (s)"), 0.0, text, optional=True)
+        self.addParameter(shared.advanced(offset))
         dem = shared.dem()
         dem.setFlags(dem.flags() | dem.Flag.FlagOptional)
         dem.setHelp(tr("Needed only to find the clock's offset from the skylines."))

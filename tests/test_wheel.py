@@ -143,7 +143,7 @@ def test_the_wheel_is_small_and_holds_the_core_alone(wheel):
     required = re.findall(r"^Requires-Dist: ([\w-]+)$", metadata, re.MULTILINE)
     assert required == ["numpy", "pillow", "scipy"] or sorted(map(str.lower, required)) == ["numpy", "pillow", "scipy"]
     extras = re.findall(r"^Provides-Extra: (\w+)$", metadata, re.MULTILINE)
-    assert sorted(extras) == ["all", "exif", "gdal", "heic", "opencv"]
+    assert sorted(extras) == ["all", "dask", "exif", "gdal", "heic", "opencv"]
 
 
 def test_the_ten_lines_run_on_arrays_in_a_plain_environment(plain, tmp_path):

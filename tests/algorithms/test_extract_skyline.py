@@ -20,7 +20,7 @@ def rows_of(results, name):
 def test_parameters_are_the_contract(algorithm):
     it = algorithm("extractskyline")
     names = [definition.name() for definition in it.parameterDefinitions()]
-    assert names == ["INPUT", "PHOTO_FIELD", "METHOD", "OUTPUT", "OVERLAYS"]
+    assert names == ["INPUT", "PHOTO_FIELD", "METHOD", "OUTPUT", "OVERLAYS", "WORKERS"]
 
 
 @pytest.mark.parametrize(("method", "largest_px"), [(0, 3.0), (1, 60.0)])

@@ -68,7 +68,7 @@ def test_parameters_are_the_contract(algorithm):
     it = algorithm("orientphotos")
     names = [definition.name() for definition in it.parameterDefinitions()]
     wanted = ["INPUT", "PHOTO_FIELD", "DEM", "BAND", "DEM_UNIT", "METHOD", "COMPASS"]
-    wanted += ["HFOV_FIELD", "HEIGHT_FIELD", "EYE_HEIGHT"]
+    wanted += ["HFOV_FIELD", "HEIGHT_FIELD", "POSITION_ERROR_FIELD", "EYE_HEIGHT"]
     assert names[: len(wanted) + 2] == [*wanted, "MAX_DISTANCE", "REFRACTION"]
     assert {"SKY_MASKS", "LANDMARKS", "SKYLINES", "USE_ALTITUDE", "HFOV", "OUTPUT", "REPORT"} <= set(names)
     assert it.parameterDefinition("METHOD").options()[0] == "robust"

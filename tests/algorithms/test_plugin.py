@@ -29,13 +29,16 @@ def test_a_button_a_menu_entry_and_one_message_say_where_to_begin(desktop):
     iface, plugin = desktop
     for _ in range(2):
         plugin.initGui()
-        (button,) = iface.addToolBarIcon.call_args.args
-        assert button.text() == "Photos to viewsheds" and not button.icon().isNull()
-        assert iface.addPluginToMenu.call_args.args == ("Skyline Viewshed", button)
+        buttons = [call.args[0] for call in iface.addToolBarIcon.call_args_list[-2:]]
+        assert [button.text() for button in buttons] == ["Photos to viewsheds", "Photo view"]
+        assert not any(button.icon().isNull() for button in buttons)
+        menu = [call.args for call in iface.addPluginToMenu.call_args_list[-2:]]
+        assert menu == [("Skyline Viewshed", button) for button in buttons]
         plugin.provider = None
         plugin.unload()
-        iface.removeToolBarIcon.assert_called_with(button)
-        iface.removePluginMenu.assert_called_with("Skyline Viewshed", button)
+        for button in buttons:
+            iface.removeToolBarIcon.assert_any_call(button)
+            iface.removePluginMenu.assert_any_call("Skyline Viewshed", button)
     (call,) = iface.messageBar.return_value.pushMessage.call_args_list
     assert "toolbox" in call.args[1]
 

@@ -211,8 +211,3 @@ def test_an_unexpected_error_is_a_sentence_and_its_details_go_to_the_log(scene, 
     assert "ZeroDivisionError: by zero" in (tmp_path / "log.txt").read_text(encoding="utf-8")
     assert "ZeroDivisionError: by zero" in (tmp_path / "p.csv").read_text(encoding="utf-8")
     assert cli.main([*arguments, "--log", str(tmp_path / "nowhere" / "log.txt")]) == cli.WRONG_USAGE
-
-
-def test_photos_of_one_name_keep_viewsheds_of_their_own():
-    taken = set()
-    assert [cli._unused(stem, taken) for stem in ("a", "A", "a", "b")] == ["a", "A_2", "a_3", "b"]

@@ -7,7 +7,7 @@ import os
 import pytest
 from skyline_viewshed.core.base.errors import OutputError
 from skyline_viewshed.core.io import whole_file
-from skyline_viewshed.core.io.whole_file import ReportFile, staged
+from skyline_viewshed.core.io.whole_file import ReportFile, staged, unused_name
 
 
 def test_until_the_end_there_is_no_file_and_the_older_one_stays(tmp_path):
@@ -163,3 +163,8 @@ def test_what_waits_is_not_held_in_memory(tmp_path):
     tracemalloc.stop()
     assert (tmp_path / "report.html").stat().st_size == 50_000_000
     assert peak < 10_000_000
+
+
+def test_photos_of_one_name_keep_files_of_their_own():
+    taken = set()
+    assert [unused_name(stem, taken) for stem in ("a", "A", "a", "b")] == ["a", "A_2", "a_3", "b"]
