@@ -38,7 +38,8 @@ class PhotoMetadata:
     orientation : int
         EXIF Orientation 1 to 8, for information only; pixels and sizes here are already upright.
     compass_heading_deg : float or None
-        GPSImgDirection as recorded, clockwise from the north of `compass_reference` [degrees].
+        GPSImgDirection as recorded, or else the yaw of a drone's gimbal, clockwise from the north of
+        `compass_reference` [degrees].
     compass_reference : str or None
         'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
@@ -51,6 +52,8 @@ class PhotoMetadata:
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
         Whether the picture is stitched, so that no pinhole camera describes it.
+    gimbal_pitch_deg, gimbal_roll_deg : float or None
+        Pitch and roll that a drone records, for information only [degrees].
     """
 
     path: str
@@ -71,6 +74,8 @@ class PhotoMetadata:
     camera: str | None = None
     notes: tuple[str, ...] = ()
     panorama: bool = False
+    gimbal_pitch_deg: float | None = None
+    gimbal_roll_deg: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

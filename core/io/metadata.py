@@ -68,6 +68,8 @@ def interpret(tags, width_px, height_px):
         "orientation": int(orientation) if orientation in range(1, 9) else 1,
         "compass_heading_deg": heading_deg,
         "compass_reference": heading_reference,
+        "gimbal_pitch_deg": number(tags, "GimbalPitch"),
+        "gimbal_roll_deg": number(tags, "GimbalRoll"),
         "position_error_m": None if latitude_deg is None else _position_error_m(tags, notes),
         "taken_at": _time(tags),
         "camera": _camera(tags),
@@ -150,7 +152,8 @@ def _altitude(tags):
 def _heading(tags):
     heading_deg = number(tags, "GPSImgDirection")
     if heading_deg is None or not 0 <= heading_deg <= 360:
-        return None, None
+        yaw_deg = number(tags, "GimbalYaw")
+        return (None, None) if yaw_deg is None else (yaw_deg % 360, "T")
     reference = _reference(tags, "GPSImgDirectionRef")
     return heading_deg % 360, reference if reference in ("T", "M") else None
 

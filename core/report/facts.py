@@ -228,11 +228,16 @@ def _compass(photo, say):
     recorded = metadata.compass_heading_deg if metadata else None
     code = metadata.compass_reference if metadata else None
     reference = {"T": say("from true north"), "M": say("from magnetic north")}.get(code, say("reference unknown"))
-    return [
+    rows = [
         (say("Recorded"), f"{azimuth(recorded)} ({reference})" if is_known(recorded) else "–"),
         (say("Converted to true north"), azimuth(photo.compass_true_deg)),
         (say("Recorded minus found"), degrees(compass_difference_deg(photo), 1, signed=True)),
     ]
+    gimbal = (metadata.gimbal_pitch_deg, metadata.gimbal_roll_deg) if metadata else (None, None)
+    if gimbal != (None, None):  # only drones record them
+        labels = say("Pitch of the gimbal, + up"), say("Roll of the gimbal, + right side down")
+        rows += [(label, degrees(angle, 1, signed=True)) for label, angle in zip(labels, gimbal)]
+    return rows
 
 
 def _place(photo, say):
