@@ -17,7 +17,7 @@ from .shared import parameters as shared
 from .shared.fields import qgis_fields
 from .shared.i18n import tr
 from .shared.image_features import ImageFeatures, Placement, line_specs, point_specs, read_map_features
-from .shared.map_places import to_dem_transform
+from .shared.map_places import crs_of, to_dem_transform
 from .shared.outputs import write_features
 from .shared.picture_files import PictureFolder
 from .shared.styling import style_on_completion
@@ -129,7 +129,7 @@ class MapToPixel(DemAlgorithm):
             raise QgsProcessingException(self.invalidSourceError(parameters, "FEATURES"))
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
         columns = (self.parameterAsString(parameters, name, context) for name in ("NAME_FIELD", "ELEVATION_FIELD"))
-        transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
+        transform = to_dem_transform(crs_of(self, parameters, "FEATURES", context), self.dem.crs, context)
         features = read_map_features(source, transform, *columns)
         numbers = (self.parameterAsDouble(parameters, name, context) for name in ("HEIGHT_ABOVE", "STEP", "SNAP"))
         found = ImageFeatures(terrain, features, options, Placement(*numbers), feedback)

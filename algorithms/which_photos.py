@@ -19,6 +19,7 @@ from .shared import parameters as shared
 from .shared.fields import FieldSpec, is_null, metres_of, qgis_fields
 from .shared.i18n import tr
 from .shared.map_places import (
+    crs_of,
     kind_of,
     local_of_map,
     number,
@@ -153,7 +154,7 @@ class WhichPhotos(DemAlgorithm):
         source = self.parameterAsSource(parameters, "PLACES", context)
         if source is None:
             raise QgsProcessingException(self.invalidSourceError(parameters, "PLACES"))
-        transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
+        transform = to_dem_transform(crs_of(self, parameters, "PLACES", context), self.dem.crs, context)
         field = self.parameterAsString(parameters, "NAME_FIELD", context)
         heights = self.parameterAsString(parameters, "ELEVATION_FIELD", context)
         heights = heights if source.fields().lookupField(heights) >= 0 else None
