@@ -27,10 +27,8 @@ class PhotoMetadata:
         Size of the *upright* picture [pixels].
     latitude_deg, longitude_deg : float or None
         WGS 84 position [degrees].
-    altitude_m : float or None
-        GPSAltitude, negative below the sea [m].
-    altitude_reference : str or None
-        'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
+    altitude_m, altitude_reference : float, str or None
+        GPSAltitude, negative below the sea [m]; 'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
     focal_length_35mm, focal_length_mm : float or None
         35 mm equivalent of the picture in its present crop, and the real focal length of the lens [mm].
     focal_sigma : float
@@ -38,16 +36,13 @@ class PhotoMetadata:
     orientation : int
         EXIF Orientation 1 to 8, for information only; pixels and sizes here are already upright.
     compass_heading_deg : float or None
-        GPSImgDirection as recorded, or else the yaw of a drone's gimbal, clockwise from the north of
-        `compass_reference` [degrees].
+        GPSImgDirection, or else a drone's yaw, clockwise from the north of `compass_reference` [degrees].
     compass_reference : str or None
         'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
         GPSHPositioningError [m].
-    taken_at : datetime or None
-        Local time of the camera.
-    camera : str or None
-        Make and model.
+    taken_at, camera : datetime, str or None
+        Local time of the camera; its make and model.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
