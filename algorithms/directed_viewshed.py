@@ -9,6 +9,7 @@ from qgis.core import QgsProcessing, QgsProcessingOutputNumber
 
 from .base import DemAlgorithm
 from .shared import parameters as shared
+from .shared.doubtful_places import warn_of_place
 from .shared.elevation import dem_fault
 from .shared.i18n import tr
 from .shared.layers import number_column, points_fault, read_points
@@ -165,6 +166,8 @@ class DirectedViewshed(DemAlgorithm):
         viewer = Viewer(dem, kind, options, feedback, folders["RASTERS"])
         extras = Extras(viewer, wanted, feedback)
         figures = ResultFigures(dem, folders["FIGURES"], stations_of(rows), feedback)
+        for point in points:
+            warn_of_place(feedback, point, dem, point.observer)
         for point, viewshed in viewer.each(points, (0.0, 0.9), self.parameterAsInt(parameters, "WORKERS", context)):
             outputs.add(point, viewshed, extras.of(point, viewshed))
             figures.draw(point, viewshed)

@@ -16,6 +16,7 @@ from ..core.base.progress import checkpoint, subtask
 from ..core.horizon.horizon import HorizonOptions
 from .base import DemAlgorithm
 from .shared import parameters as shared
+from .shared.doubtful_places import warn_of_place
 from .shared.elevation import dem_fault, dem_source
 from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.fields import FieldSpec, qgis_fields
@@ -155,6 +156,7 @@ def cast_each(rows, dem, eye_height_m, options, feedback, end=0.95):
             warn(feedback, row.name, tr("The point has no usable position."))
             continue
         observer = Observer(row.longitude_deg, row.latitude_deg, eye_height_m)
+        warn_of_place(feedback, row, dem, observer)
         try:
             yield row, horizon_profile(dem, observer, options, part)
         except PhotoError as error:

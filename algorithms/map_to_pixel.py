@@ -16,10 +16,12 @@ from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.fields import qgis_fields
 from .shared.i18n import tr
-from .shared.image_features import ImageFeatures, line_specs, point_specs
+from .shared.image_features import ImageFeatures, Placement, line_specs, point_specs, read_map_features
+from .shared.map_places import crs_of, to_dem_transform
 from .shared.outputs import write_features
 from .shared.picture_files import PictureFolder
 from .shared.styling import style_on_completion
+from .shared.summit_input import point_heights, snap_distance
 from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 
@@ -52,6 +54,11 @@ class MapToPixel(DemAlgorithm):
                 "given as well."
             ),
             tr(
+                "A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby "
+                "top in the DEM, as in <i>Label peaks in photos</i>: published positions and coarse DEMs differ by "
+                "hundreds of metres."
+            ),
+            tr(
                 "The output has the coordinates of the picture as QGIS shows it without georeference: x to "
                 "the right, y negative downwards from the upper left corner. Load it together with the "
                 "photo. The fields <b>x_px</b> and <b>y_px</b> count from the centre of the first pixel, "
@@ -70,7 +77,12 @@ class MapToPixel(DemAlgorithm):
         self.addParameter(shared.explained(features, text))
         name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "FEATURES", optional=True)
         self.addParameter(shared.explained(name, tr("Written to the output and into the pictures.")))
+        text = tr(
+            "Points with a height that their ground does not reach are summits. NULL: the point lies on the ground."
+        )
+        self.addParameter(shared.advanced(point_heights("FEATURES", text)))
         add_view_parameters(self)
+        self.addParameter(shared.advanced(snap_distance()))
         above = shared.distance(
             "HEIGHT_ABOVE",
             tr("Height above ground (m)"),
@@ -116,16 +128,11 @@ class MapToPixel(DemAlgorithm):
         if source is None:
             raise QgsProcessingException(self.invalidSourceError(parameters, "FEATURES"))
         terrain, options = self.dem.open(), sight_options(self, parameters, context)
-        found = ImageFeatures(
-            terrain,
-            source,
-            self.dem.crs,
-            context,
-            self.parameterAsString(parameters, "NAME_FIELD", context),
-            options,
-            self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context),
-            self.parameterAsDouble(parameters, "STEP", context),
-        )
+        columns = (self.parameterAsString(parameters, name, context) for name in ("NAME_FIELD", "ELEVATION_FIELD"))
+        transform = to_dem_transform(crs_of(self, parameters, "FEATURES", context), self.dem.crs, context)
+        features = read_map_features(source, transform, *columns)
+        numbers = (self.parameterAsDouble(parameters, name, context) for name in ("HEIGHT_ABOVE", "STEP", "SNAP"))
+        found = ImageFeatures(terrain, features, options, Placement(*numbers), feedback)
         folder = self.parameterAsString(parameters, "PICTURES", context)
         pictures = PictureFolder(folder)
         reach = options.max_distance_m

@@ -16,6 +16,7 @@ from ..core.base.progress import subtask
 from ..core.horizon.panorama import PanoramaOptions
 from .base import DemAlgorithm
 from .shared import parameters as shared
+from .shared.doubtful_places import warn_of_place
 from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.fields import FieldSpec, is_null, qgis_fields
 from .shared.i18n import tr
@@ -122,6 +123,7 @@ class Panorama(DemAlgorithm):
                 warn(feedback, row.name, tr("The point has no usable position."))
                 continue
             observer = Observer(row.longitude_deg, row.latitude_deg, eye_height_m)
+            warn_of_place(feedback, row, terrain, observer)
             part = subtask(progress, index / len(rows), (index + 1) / len(rows))
             try:
                 panorama = outline_panorama(terrain, observer, options, subtask(part, 0.0, 0.7))

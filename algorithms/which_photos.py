@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
@@ -14,9 +16,10 @@ from qgis.core import (
 
 from .base import DemAlgorithm
 from .shared import parameters as shared
-from .shared.fields import FieldSpec, is_null, number_or_none, qgis_fields
+from .shared.fields import FieldSpec, is_null, metres_of, qgis_fields
 from .shared.i18n import tr
 from .shared.map_places import (
+    crs_of,
     kind_of,
     local_of_map,
     number,
@@ -28,7 +31,7 @@ from .shared.map_places import (
 )
 from .shared.outputs import write_features
 from .shared.styling import style_on_completion
-from .shared.summit_input import snap_distance
+from .shared.summit_input import PublishedHeights, point_heights, snap_distance
 from .shared.views import Opening, add_view_parameters, open_views, sight_options
 
 NET_CELLS = 1.0
@@ -81,17 +84,10 @@ class WhichPhotos(DemAlgorithm):
         self.addParameter(shared.explained(places, tr("Points, lines or areas, in any coordinate system.")))
         name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), None, "PLACES", optional=True)
         self.addParameter(shared.explained(name, tr("Copied to the table.")))
-        height = shared.number_field(
-            "ELEVATION_FIELD",
-            tr("Field with heights (m)"),
-            tr(
-                "Points with a height that their ground does not reach are summits. NULL: the point lies on the ground."
-            ),
-            "ele",
-            "PLACES",
+        text = tr(
+            "Points with a height that their ground does not reach are summits. NULL: the point lies on the ground."
         )
-        height.setDataType(height.DataType.Any)
-        self.addParameter(shared.advanced(height))
+        self.addParameter(shared.advanced(point_heights("PLACES", text)))
         add_view_parameters(self)
         self.addParameter(shared.advanced(snap_distance()))
         above = shared.distance(
@@ -129,10 +125,10 @@ class WhichPhotos(DemAlgorithm):
         places = self._places(parameters, context)
         above_m = self.parameterAsDouble(parameters, "HEIGHT_ABOVE", context)
         least = self.parameterAsDouble(parameters, "MIN_SHARE", context) / 100
-        snap_m = self.parameterAsDouble(parameters, "SNAP", context)
+        snap_m, heights = self.parameterAsDouble(parameters, "SNAP", context), PublishedHeights(feedback)
         found, reach = {}, options.max_distance_m
         for photo in open_views(self, parameters, context, feedback, terrain, Opening(reach, (0.0, 0.95))):
-            samples = [samples_of(terrain, photo.view.frame, *place[2:], snap_m) for place in places]
+            samples = [samples_of(terrain, photo.view.frame, place, heights, snap_m) for place in places]
             sightings = find_sightings(terrain, photo.view, samples, options, above_m, photo.progress)
             for sighting in sightings:
                 if sighting.visible_share >= least:
@@ -158,7 +154,7 @@ class WhichPhotos(DemAlgorithm):
         source = self.parameterAsSource(parameters, "PLACES", context)
         if source is None:
             raise QgsProcessingException(self.invalidSourceError(parameters, "PLACES"))
-        transform = to_dem_transform(source.sourceCrs(), self.dem.crs, context)
+        transform = to_dem_transform(crs_of(self, parameters, "PLACES", context), self.dem.crs, context)
         field = self.parameterAsString(parameters, "NAME_FIELD", context)
         heights = self.parameterAsString(parameters, "ELEVATION_FIELD", context)
         heights = heights if source.fields().lookupField(heights) >= 0 else None
@@ -167,7 +163,7 @@ class WhichPhotos(DemAlgorithm):
             geometry = transformed(feature.geometry(), transform)
             if geometry is not None:
                 name = feature[field] if field else None
-                height = number_or_none(feature[heights]) if heights else None
+                height = metres_of(feature[heights]) if heights else None
                 places.append((feature.id(), None if is_null(name) else str(name), geometry, height))
         if not places:
             raise QgsProcessingException(
@@ -176,17 +172,16 @@ class WhichPhotos(DemAlgorithm):
         return places
 
 
-def samples_of(terrain, frame, geometry, height_m=None, snap_m=0.0):
+def samples_of(terrain, frame, place, heights, snap_m=0.0):
     """Local sample places of a place: its points, its line in steps of a cell, a grid over its area.
 
     Parameters
     ----------
     terrain : core.io.raster.Dem
     frame : LocalFrame
-    geometry : QgsGeometry
-        In the DEM's CRS.
-    height_m : float or None
-        Published height of a point [m].
+    place : tuple
+        Id, name, geometry in the DEM's CRS, and the published height of a point or None [m].
+    heights : PublishedHeights
     snap_m : float
         Search radius around a summit [m].
 
@@ -199,9 +194,10 @@ def samples_of(terrain, frame, geometry, height_m=None, snap_m=0.0):
     from ..core.mapping.projecting import sample_area
     from ..core.mapping.sightings import place_of_height
 
+    identifier, name, geometry, height_m = place
     shapes = of_one_kind(geometry)
     if len(shapes) > 1:
-        samples = [samples_of(terrain, frame, shape) for shape in shapes]
+        samples = [samples_of(terrain, frame, (identifier, name, shape, None), heights) for shape in shapes]
         return tuple(np.concatenate(axis) for axis in zip(*samples))
     geometry = straight(shapes[0])
     kind = kind_of(geometry)
@@ -215,7 +211,8 @@ def samples_of(terrain, frame, geometry, height_m=None, snap_m=0.0):
             return east, north
     east, north = (np.concatenate(axis) for axis in zip(*parts))
     if kind == "point" and height_m is not None and east.size == 1:
-        return place_of_height(terrain, frame, (float(east[0]), float(north[0])), height_m, snap_m)
+        doubted = partial(heights.doubted, name or str(identifier))
+        return place_of_height(terrain, frame, (float(east[0]), float(north[0])), height_m, snap_m, doubted)
     return east, north
 
 

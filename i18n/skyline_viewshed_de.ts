@@ -1492,6 +1492,12 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Ein Punkt mit einer Höhe ist ein Gipfel, wenn das Gelände an seiner Stelle niedriger ist. Er wird dann wie in &lt;i&gt;Gipfel in Fotos beschriften&lt;/i&gt; auf den nahen höchsten Punkt im Höhenmodell versetzt: Veröffentlichte Lagen und grobe Höhenmodelle weichen um Hunderte von Metern voneinander ab.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
         <translation>Die Ausgabe hat die Koordinaten des Bildes, wie QGIS es ohne Georeferenz zeigt: x nach rechts, y negativ nach unten von der oberen linken Ecke. Laden Sie sie zusammen mit dem Foto. Die Felder &lt;b&gt;x_px&lt;/b&gt; und &lt;b&gt;y_px&lt;/b&gt; zählen von der Mitte des ersten Pixels, y nach unten.</translation>
     </message>
@@ -1516,6 +1522,12 @@
         <location filename="../algorithms/map_to_pixel.py"/>
         <source>Written to the output and into the pictures.</source>
         <translation>Wird in die Ausgabe und in die Bilder geschrieben.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Punkte mit einer Höhe, die ihr Gelände nicht erreicht, sind Gipfel. NULL: Der Punkt liegt auf dem Gelände.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -2461,13 +2473,13 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Clock is ahead by (s)</source>
-        <translation>Die Uhr geht vor um (s)</translation>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Sekunden, um die die Kamerauhr der wahren Zeit voraus ist; negativ, wenn sie nachgeht.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
-        <translation>Sekunden, um die die Kamerauhr der wahren Zeit voraus ist; negativ, wenn sie nachgeht.</translation>
+        <source>Clock is ahead by (s)</source>
+        <translation>Die Uhr geht vor um (s)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3840,12 +3852,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Feld mit Höhen (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/summit_input.py"/>
         <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
         <translation>Auch Text wie 4478, 4478 m oder 14692 ft wird gelesen. Höhen, denen das DGM widerspricht, werden nicht verwendet.</translation>
     </message>
@@ -3858,6 +3864,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Prominence of the summits that are found in the DEM.</source>
         <translation>Schartenhöhe der Gipfel, die im DGM gefunden werden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Feld mit Höhen (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -4453,11 +4464,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
-        <translation>Ein Punkt mit einer Höhe ist ein Gipfel, wenn das Gelände an seiner Stelle niedriger ist. Er wird dann wie in &lt;i&gt;Gipfel in Fotos beschriften&lt;/i&gt; auf den nahen höchsten Punkt im Höhenmodell versetzt: Veröffentlichte Lagen und grobe Höhenmodelle weichen um Hunderte von Metern voneinander ab.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = sichtbarer Anteil x Pixel je Meter x Kosinus des Einfallswinkels: die Pixel je Meter Boden in der schlechteren Richtung. &lt;b&gt;place_id&lt;/b&gt; und &lt;b&gt;photo_id&lt;/b&gt; sind die IDs der Objekte, die Sie für Beziehungen zu beiden Layern verwenden können.</translation>
     </message>
@@ -4470,11 +4476,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Wird in die Tabelle übernommen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
-        <translation>Punkte mit einer Höhe, die ihr Gelände nicht erreicht, sind Gipfel. NULL: Der Punkt liegt auf dem Gelände.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -5637,6 +5638,21 @@
         <translation>Die GPS-Position ist auf {km} km unsicher, zu viel für einen Horizont, daher wird die richtige benötigt. Geben Sie sie als Punkt in einem Layer mit Fotopunkten an.</translation>
     </message>
     <message>
+        <location filename="../core/base/place.py"/>
+        <source>The position is uncertain by {km} km (h_acc), so the result may hold for another place than the camera's. Move the point to where the camera was, and clear h_acc.</source>
+        <translation>Die Position ist auf {km} km unsicher (h_acc), das Ergebnis gilt also möglicherweise für einen anderen Ort als den der Kamera. Verschieben Sie den Punkt dorthin, wo die Kamera war, und leeren Sie h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m below the DEM's surface, so the result is not what a camera sees. Check the camera's elevation (HEIGHT_FIELD), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Das Auge liegt {metres} m unter der Oberfläche des DGM, das Ergebnis ist also nicht das, was eine Kamera sieht. Prüfen Sie die Höhe der Kamera (HEIGHT_FIELD) und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m above the DEM's surface. Unless the camera flew so high, check its elevation (HEIGHT_FIELD), its height above the ground (EYE_HEIGHT), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>Das Auge liegt {metres} m über der Oberfläche des DGM. Wenn die Kamera nicht so hoch geflogen ist, prüfen Sie ihre Höhe (HEIGHT_FIELD), ihre Höhe über dem Boden (EYE_HEIGHT) und die Einheit der Höhen des DGM (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
         <translation>Die Objekte wurden auf dem Bild gezeichnet, wie es gespeichert ist; sie wurden mit ihm gedreht.</translation>
@@ -6633,6 +6649,16 @@
         <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Aufgezeichnet minus gefunden</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Pitch of the gimbal, + up</source>
+        <translation>Nickwinkel des Gimbals, + aufwärts</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Roll of the gimbal, + right side down</source>
+        <translation>Rollwinkel des Gimbals, + rechts abwärts</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

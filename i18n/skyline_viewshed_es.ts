@@ -1492,6 +1492,12 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Un punto con altitud es una cumbre si el terreno en su lugar es más bajo. Entonces se traslada a la cima cercana del MDE, como en &lt;i&gt;Rotular cimas en las fotos&lt;/i&gt;: las posiciones publicadas y los MDE gruesos difieren en cientos de metros.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
         <translation>La salida tiene las coordenadas de la imagen tal como QGIS la muestra sin georreferencia: x a la derecha, y negativa hacia abajo desde la esquina superior izquierda. Cárguela junto con la foto. Los campos &lt;b&gt;x_px&lt;/b&gt; e &lt;b&gt;y_px&lt;/b&gt; cuentan desde el centro del primer píxel, con y hacia abajo.</translation>
     </message>
@@ -1516,6 +1522,12 @@
         <location filename="../algorithms/map_to_pixel.py"/>
         <source>Written to the output and into the pictures.</source>
         <translation>Se escribe en la salida y en las imágenes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Los puntos con una altitud que su terreno no alcanza son cumbres. NULL: el punto está sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -2461,13 +2473,13 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Clock is ahead by (s)</source>
-        <translation>El reloj adelanta (s)</translation>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Segundos que el reloj de la cámara adelanta respecto a la hora verdadera; negativo si atrasa.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
-        <translation>Segundos que el reloj de la cámara adelanta respecto a la hora verdadera; negativo si atrasa.</translation>
+        <source>Clock is ahead by (s)</source>
+        <translation>El reloj adelanta (s)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3840,12 +3852,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Campo con las altitudes (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/summit_input.py"/>
         <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
         <translation>También se lee texto como 4478, 4478 m o 14692 ft. Las alturas que el MDE contradice no se usan.</translation>
     </message>
@@ -3858,6 +3864,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Prominence of the summits that are found in the DEM.</source>
         <translation>Prominencia de las cimas que se hallan en el MDE.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Campo con las altitudes (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -4453,11 +4464,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
-        <translation>Un punto con altitud es una cumbre si el terreno en su lugar es más bajo. Entonces se traslada a la cima cercana del MDE, como en &lt;i&gt;Rotular cimas en las fotos&lt;/i&gt;: las posiciones publicadas y los MDE gruesos difieren en cientos de metros.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = parte visible x píxeles por metro x coseno del ángulo de incidencia: los píxeles por metro de terreno en la peor dirección. &lt;b&gt;place_id&lt;/b&gt; y &lt;b&gt;photo_id&lt;/b&gt; son los identificadores de los objetos, que puede usar para relaciones con ambas capas.</translation>
     </message>
@@ -4470,11 +4476,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Se copia a la tabla.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
-        <translation>Los puntos con una altitud que su terreno no alcanza son cumbres. NULL: el punto está sobre el terreno.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -5637,6 +5638,21 @@
         <translation>La posición GPS tiene una incertidumbre de {km} km, demasiado para un horizonte, por lo que se necesita la correcta. Indíquela con un punto en una capa de puntos de fotos.</translation>
     </message>
     <message>
+        <location filename="../core/base/place.py"/>
+        <source>The position is uncertain by {km} km (h_acc), so the result may hold for another place than the camera's. Move the point to where the camera was, and clear h_acc.</source>
+        <translation>La posición tiene una incertidumbre de {km} km (h_acc), por lo que el resultado puede corresponder a un lugar distinto del de la cámara. Mueva el punto al lugar donde estaba la cámara y vacíe h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m below the DEM's surface, so the result is not what a camera sees. Check the camera's elevation (HEIGHT_FIELD), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>El ojo queda {metres} m por debajo de la superficie del MDE, por lo que el resultado no es lo que ve una cámara. Compruebe la elevación de la cámara (HEIGHT_FIELD) y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m above the DEM's surface. Unless the camera flew so high, check its elevation (HEIGHT_FIELD), its height above the ground (EYE_HEIGHT), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>El ojo queda {metres} m por encima de la superficie del MDE. Si la cámara no voló tan alto, compruebe su elevación (HEIGHT_FIELD), su altura sobre el suelo (EYE_HEIGHT) y la unidad de las alturas del MDE (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
         <translation>Sus objetos se dibujaron sobre la imagen tal como está guardada; se giraron con ella.</translation>
@@ -6633,6 +6649,16 @@
         <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Registrado menos hallado</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Pitch of the gimbal, + up</source>
+        <translation>Cabeceo del gimbal, + hacia arriba</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Roll of the gimbal, + right side down</source>
+        <translation>Alabeo del gimbal, + lado derecho abajo</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

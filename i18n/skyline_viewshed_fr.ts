@@ -1492,6 +1492,12 @@
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
+        <translation>Un point doté d'une altitude est un sommet si le terrain à sa place est plus bas. Il est alors déplacé vers le point culminant voisin du MNT, comme dans &lt;i&gt;Étiqueter les sommets dans les photos&lt;/i&gt; : les positions publiées et les MNT grossiers diffèrent de centaines de mètres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
         <source>The output has the coordinates of the picture as QGIS shows it without georeference: x to the right, y negative downwards from the upper left corner. Load it together with the photo. The fields &lt;b&gt;x_px&lt;/b&gt; and &lt;b&gt;y_px&lt;/b&gt; count from the centre of the first pixel, with y downwards.</source>
         <translation>La sortie a les coordonnées de l'image telle que QGIS la montre sans géoréférencement : x vers la droite, y négatif vers le bas depuis le coin supérieur gauche. Chargez-la avec la photo. Les champs &lt;b&gt;x_px&lt;/b&gt; et &lt;b&gt;y_px&lt;/b&gt; comptent depuis le centre du premier pixel, y vers le bas.</translation>
     </message>
@@ -1516,6 +1522,12 @@
         <location filename="../algorithms/map_to_pixel.py"/>
         <source>Written to the output and into the pictures.</source>
         <translation>Écrit dans la sortie et dans les images.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/map_to_pixel.py"/>
+        <location filename="../algorithms/which_photos.py"/>
+        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
+        <translation>Les points dont le terrain n'atteint pas l'altitude sont des sommets. NULL : le point est sur le terrain.</translation>
     </message>
     <message>
         <location filename="../algorithms/map_to_pixel.py"/>
@@ -2461,13 +2473,13 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Clock is ahead by (s)</source>
-        <translation>L’horloge avance de (s)</translation>
+        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
+        <translation>Secondes dont l’horloge de l’appareil avance sur l’heure vraie ; négatif si elle retarde.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Seconds by which the camera's clock is ahead of the true time; negative if it is behind.</source>
-        <translation>Secondes dont l’horloge de l’appareil avance sur l’heure vraie ; négatif si elle retarde.</translation>
+        <source>Clock is ahead by (s)</source>
+        <translation>L’horloge avance de (s)</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3840,12 +3852,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Field with heights (m)</source>
-        <translation>Champ des altitudes (m)</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/summit_input.py"/>
         <source>Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.</source>
         <translation>Un texte comme 4478, 4478 m ou 14692 ft est lu aussi. Les altitudes que le MNT contredit ne sont pas utilisées.</translation>
     </message>
@@ -3858,6 +3864,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>Prominence of the summits that are found in the DEM.</source>
         <translation>Proéminence des sommets trouvés dans le MNT.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>Field with heights (m)</source>
+        <translation>Champ des altitudes (m)</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
@@ -4453,11 +4464,6 @@
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
-        <source>A point with a height is a summit if the ground at its place is lower. It is then moved to the nearby top in the DEM, as in &lt;i&gt;Label peaks in photos&lt;/i&gt;: published positions and coarse DEMs differ by hundreds of metres.</source>
-        <translation>Un point doté d'une altitude est un sommet si le terrain à sa place est plus bas. Il est alors déplacé vers le point culminant voisin du MNT, comme dans &lt;i&gt;Étiqueter les sommets dans les photos&lt;/i&gt; : les positions publiées et les MNT grossiers diffèrent de centaines de mètres.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
         <source>&lt;b&gt;quality&lt;/b&gt; = visible share x pixels per metre x cosine of the angle of incidence: the pixels per metre of ground in the worse direction. &lt;b&gt;place_id&lt;/b&gt; and &lt;b&gt;photo_id&lt;/b&gt; are the features' ids, which you can use for relations to both layers.</source>
         <translation>&lt;b&gt;quality&lt;/b&gt; = part visible x pixels par mètre x cosinus de l'angle d'incidence : les pixels par mètre de sol dans la moins bonne direction. &lt;b&gt;place_id&lt;/b&gt; et &lt;b&gt;photo_id&lt;/b&gt; sont les identifiants des entités, que vous pouvez utiliser pour des relations avec les deux couches.</translation>
     </message>
@@ -4470,11 +4476,6 @@
         <location filename="../algorithms/which_photos.py"/>
         <source>Copied to the table.</source>
         <translation>Copié dans la table.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/which_photos.py"/>
-        <source>Points with a height that their ground does not reach are summits. NULL: the point lies on the ground.</source>
-        <translation>Les points dont le terrain n'atteint pas l'altitude sont des sommets. NULL : le point est sur le terrain.</translation>
     </message>
     <message>
         <location filename="../algorithms/which_photos.py"/>
@@ -5637,6 +5638,21 @@
         <translation>La position GPS est incertaine de {km} km, trop pour un horizon ; il faut donc la bonne. Indiquez-la par un point dans une couche de points de photos.</translation>
     </message>
     <message>
+        <location filename="../core/base/place.py"/>
+        <source>The position is uncertain by {km} km (h_acc), so the result may hold for another place than the camera's. Move the point to where the camera was, and clear h_acc.</source>
+        <translation>La position est incertaine de {km} km (h_acc) ; le résultat vaut donc peut-être pour un autre lieu que celui de la caméra. Déplacez le point là où était la caméra et videz h_acc.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m below the DEM's surface, so the result is not what a camera sees. Check the camera's elevation (HEIGHT_FIELD), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'œil est {metres} m au-dessous de la surface du MNT ; le résultat n'est donc pas ce que voit une caméra. Vérifiez l'altitude de la caméra (HEIGHT_FIELD) et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
+        <location filename="../core/base/place.py"/>
+        <source>The eye lies {metres} m above the DEM's surface. Unless the camera flew so high, check its elevation (HEIGHT_FIELD), its height above the ground (EYE_HEIGHT), and the unit of the DEM's heights (DEM_UNIT).</source>
+        <translation>L'œil est {metres} m au-dessus de la surface du MNT. Si la caméra n'a pas volé si haut, vérifiez son altitude (HEIGHT_FIELD), sa hauteur au-dessus du sol (EYE_HEIGHT) et l'unité des altitudes du MNT (DEM_UNIT).</translation>
+    </message>
+    <message>
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on the picture as it is stored; they were rotated with it.</source>
         <translation>Les entités ont été dessinées sur l'image telle qu'elle est enregistrée ; elles ont été tournées avec elle.</translation>
@@ -6633,6 +6649,16 @@
         <location filename="../core/report/facts.py"/>
         <source>Recorded minus found</source>
         <translation>Enregistré moins trouvé</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Pitch of the gimbal, + up</source>
+        <translation>Tangage de la nacelle, + vers le haut</translation>
+    </message>
+    <message>
+        <location filename="../core/report/facts.py"/>
+        <source>Roll of the gimbal, + right side down</source>
+        <translation>Roulis de la nacelle, + côté droit vers le bas</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
 import numpy as np
 from qgis.core import QgsGeometry, QgsPointXY, QgsProcessingException
 
 from ...core.base.upright import stored_of_upright
-from .fields import FieldSpec, is_null
+from .fields import FieldSpec, is_null, metres_of
 from .i18n import tr
-from .map_places import kind_of, local_of_map, number, of_one_kind, places_of, to_dem_transform, transformed
+from .map_places import kind_of, local_of_map, number, of_one_kind, places_of, transformed
 from .pixel_input import orientation_of
+from .summit_input import PublishedHeights
 
 AREA_SAMPLE_PX = 6.0
 """Spacing of the grid on which an area's visible share is sampled, at its nearest point [pixels]."""
@@ -50,60 +55,118 @@ def line_specs():
     ]
 
 
+@dataclass(frozen=True)
+class MapFeature:
+    """A feature, or the part of a mixed collection that is of one kind.
+
+    Attributes
+    ----------
+    id : int
+    name : str
+    geometry : QgsGeometry
+        In the DEM's CRS.
+    height_m : float or None
+        Published height of a point [m].
+    """
+
+    id: int
+    name: str
+    geometry: Any
+    height_m: float | None = None
+
+
+@dataclass(frozen=True)
+class Placement:
+    """How features are set on the ground: height above it [m], step along lines [pixels], radius around summits [m]."""
+
+    height_above_m: float = 0.0
+    step_px: float = 2.0
+    snap_m: float = 0.0
+
+
+def read_map_features(source, transform, name_field, height_field):
+    """Read features whose geometry can be transformed.
+
+    Parameters
+    ----------
+    source : QgsProcessingFeatureSource
+    transform : QgsCoordinateTransform
+        From `map_places.to_dem_transform`.
+    name_field, height_field : str
+        Empty, or a field that does not exist: no names, no heights.
+
+    Returns
+    -------
+    list of MapFeature
+    """
+    known, found = source.fields(), []
+    for feature in source.getFeatures():
+        geometry = transformed(feature.geometry(), transform)
+        if geometry is None:
+            continue
+        called = feature[name_field] if name_field else None
+        height_m = metres_of(feature[height_field]) if known.lookupField(height_field) >= 0 else None
+        name = "" if is_null(called) else str(called)
+        found += [MapFeature(feature.id(), name, shape, height_m) for shape in of_one_kind(geometry)]
+    if not found:
+        raise QgsProcessingException(
+            tr("The map features are empty, or lie outside the region for which the DEM's CRS is valid.")
+        )
+    return found
+
+
 class ImageFeatures:
     """Collects rows for the outputs.
 
     Parameters
     ----------
     terrain : core.io.raster.Dem
-    source : QgsProcessingFeatureSource
-    dem_crs : QgsCoordinateReferenceSystem
-    context : QgsProcessingContext
-    name_field : str
+    features : list of MapFeature
     options : SightOptions
-    height_above_m, step_px : float
+    placement : Placement
+    feedback : QgsProcessingFeedback
     """
 
-    def __init__(self, terrain, source, dem_crs, context, name_field, options, height_above_m, step_px):
-        self.terrain, self.options, self.height_above_m, self.step_px = terrain, options, height_above_m, step_px
+    def __init__(self, terrain, features, options, placement, feedback):
+        self.terrain, self.options, self.placement = terrain, options, placement
         self.points, self.lines, self.visible_count = [], [], 0
-        transform = to_dem_transform(source.sourceCrs(), dem_crs, context)
-        self._features = []
-        for feature in source.getFeatures():
-            geometry = transformed(feature.geometry(), transform)
-            if geometry is not None:
-                called = feature[name_field] if name_field else None
-                name = "" if is_null(called) else str(called)
-                self._features += [(feature.id(), name, shape) for shape in of_one_kind(geometry)]
-        if not self._features:
-            raise QgsProcessingException(
-                tr("The map features are empty, or lie outside the region for which the DEM's CRS is valid.")
-            )
+        self._features, self._heights = features, PublishedHeights(feedback)
 
     def add(self, photo):
         """Project all features into one photo and return named points and strokes for its picture."""
         named, strokes = [], []
-        for identifier, name, geometry in self._features:
-            kind = kind_of(geometry)
+        for feature in self._features:
+            kind = kind_of(feature.geometry)
             if kind == "point":
-                named += self._add_points(photo, identifier, name, geometry)
+                named += self._add_points(photo, feature)
             else:
-                strokes += self._add_lines(photo, identifier, name, geometry, kind)
+                strokes += self._add_lines(photo, feature.id, feature.name, feature.geometry, kind)
         return named, strokes
 
     def _local(self, photo, x, y):
         return local_of_map(self.terrain, photo.view.frame, x, y)
 
-    def _add_points(self, photo, identifier, name, geometry):
-        from ...core.figures.annotate import NamedPoint
-        from ...core.mapping.projecting import STATE_NAMES, Places, PlaceState, project_places
+    def _places(self, photo, feature):
+        """Points of a feature: a summit on its top in the DEM, all others on the ground."""
+        from ...core.mapping.projecting import Places
+        from ...core.mapping.sightings import place_of_height
 
-        x, y, _ = places_of(geometry, "point")[0]
+        x, y, _ = places_of(feature.geometry, "point")[0]
         east, north = self._local(photo, x, y)
-        places = Places(east, north, height_above_m=self.height_above_m)
-        shown = project_places(self.terrain, photo.view, places, self.options)
-        marks = []
-        for k in range(x.size):
+        if feature.height_m is None or x.size > 1:
+            return Places(east, north, height_above_m=self.placement.height_above_m)
+        doubted = partial(self._heights.doubted, feature.name or str(feature.id))
+        place, frame = (float(east[0]), float(north[0])), photo.view.frame
+        found = place_of_height(self.terrain, frame, place, feature.height_m, self.placement.snap_m, doubted)
+        return replace(found, height_above_m=self.placement.height_above_m)
+
+    def _add_points(self, photo, feature):
+        from ...core.figures.annotate import NamedPoint
+        from ...core.mapping.projecting import STATE_NAMES, PlaceState, project_places
+
+        shown = project_places(self.terrain, photo.view, self._places(photo, feature), self.options)
+        identifier, name, marks = feature.id, feature.name, []
+        for k in range(shown.state.size):
             at = number(shown.x_px[k]), number(shown.y_px[k])
             values = [photo.path or photo.name, identifier, name, STATE_NAMES[int(shown.state[k])], *at]
             values += [number(v[k]) for v in (shown.distance_m, shown.azimuth_deg, shown.elevation_deg)]
@@ -123,7 +186,7 @@ class ImageFeatures:
         runs = [
             (part, run)
             for part, (east, north) in enumerate(parts)
-            for run in project_line(self.terrain, photo.view, Places(east, north), self.step_px, self.options)
+            for run in project_line(self.terrain, photo.view, Places(east, north), self.placement.step_px, self.options)
         ]
         share = self._visible_area(photo, parts) if kind == "polygon" else _visible_length(parts, runs)
         strokes = []

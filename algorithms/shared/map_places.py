@@ -24,6 +24,16 @@ def to_dem_transform(crs, dem_crs, context):
     return QgsCoordinateTransform(crs, dem_crs, context.transformContext())
 
 
+def crs_of(algorithm, parameters, name, context):
+    """CRS of a layer with any geometry.
+
+    QGIS takes layers of geometry collections for tables and hides their CRS, which their provider still has.
+    """
+    crs = algorithm.parameterAsSource(parameters, name, context).sourceCrs()
+    layer = None if crs.isValid() else algorithm.parameterAsVectorLayer(parameters, name, context)
+    return crs if layer is None else layer.dataProvider().crs()
+
+
 def local_of_map(dem, frame, x, y):
     """Local (east, north) [m] of places in the DEM's CRS."""
     x0, dx, _, y0, _, dy = dem.geotransform

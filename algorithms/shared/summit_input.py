@@ -63,15 +63,8 @@ def add_summit_parameters(algorithm):
     algorithm.addParameter(shared.explained(layer, text))
     name = QgsProcessingParameterField("NAME_FIELD", tr("Field with names"), "name", "PEAKS", optional=True)
     algorithm.addParameter(shared.explained(name, tr("Summits without a name are left out.")))
-    height = shared.number_field(
-        "ELEVATION_FIELD",
-        tr("Field with heights (m)"),
-        tr("Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used."),
-        "ele",
-        "PEAKS",
-    )
-    height.setDataType(height.DataType.Any)
-    algorithm.addParameter(height)
+    text = tr("Text such as 4478, 4478 m or 14692 ft is read too. Heights that the DEM contradicts are not used.")
+    algorithm.addParameter(point_heights("PEAKS", text))
     least = shared.distance(
         "MIN_PROMINENCE",
         tr("Minimum prominence (m)"),
@@ -83,11 +76,46 @@ def add_summit_parameters(algorithm):
     algorithm.addParameter(shared.advanced(snap_distance()))
 
 
+def point_heights(features, text):
+    """Field with the heights of points, as numbers or as text with a unit.
+
+    Parameters
+    ----------
+    features : str
+        Name of the parameter with the layer.
+    text : str
+        Help.
+    """
+    height = shared.number_field("ELEVATION_FIELD", tr("Field with heights (m)"), text, "ele", features)
+    height.setDataType(height.DataType.Any)
+    return height
+
+
 def snap_distance():
     """Search radius around a published summit."""
     return shared.distance(
         "SNAP", tr("Search radius around a published summit (m)"), SNAP_M, tr("0: use the published position.")
     )
+
+
+class PublishedHeights:
+    """Tells whether the DEM contradicts published heights, and warns of each summit once."""
+
+    def __init__(self, feedback):
+        self._feedback, self._told = feedback, set()
+
+    def doubted(self, name, height, top):
+        """Return whether the DEM contradicts a height, given that of the top there [m]."""
+        if not contradicts(height, top):
+            return False
+        if self._feedback is not None and (name, height) not in self._told:
+            self._told.add((name, height))
+            text = tr(
+                "The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is "
+                "used. If it is in feet, write 'ft' after it."
+            )
+            warn(self._feedback, name, text.format(height=f"{height:.0f}", top=f"{top:.0f}"))
+        return True
 
 
 def summits_of(algorithm, parameters, context, terrain, dem_crs):
@@ -108,6 +136,7 @@ def summits_of(algorithm, parameters, context, terrain, dem_crs):
         given = _given(algorithm, parameters, context, source, dem_crs)
     numbers = (algorithm.parameterAsDouble(parameters, key, context) for key in ("SNAP", "MIN_PROMINENCE"))
     return Summitry(terrain, given, *numbers, context.feedback())
+
 
 
 def _given(algorithm, parameters, context, source, dem_crs):
@@ -140,7 +169,7 @@ class Summitry:
 
     def __init__(self, terrain, given=None, snap_m=SNAP_M, least_m=LEAST_M, feedback=None):
         self.terrain, self.given, self.snap_m, self.least_m = terrain, given, snap_m, least_m
-        self._feedback, self._told = feedback, set()
+        self._heights = PublishedHeights(feedback)
 
     def around(self, view, max_distance_m):
         """(name, east, north, height, dem height, moved, prominence) of the summits within reach of a view."""
@@ -160,23 +189,13 @@ class Summitry:
         east, north = place
         radius_m = max(self.snap_m, 0.0)
         to_east, to_north, top = snap_to_summit(self.terrain, view.frame, east, north, height, radius_m)
-        if height is not None and contradicts(height, top):
-            self._tell(name, height, top)
+        if height is not None and self._heights.doubted(name, height, top):
             height = None
             to_east, to_north, top = snap_to_summit(self.terrain, view.frame, east, north, None, radius_m)
         if self.snap_m <= 0:
             return east, north, top if height is None else height, np.nan, 0.0
         moved = float(np.hypot(to_east - east, to_north - north))
         return to_east, to_north, top if height is None else height, top, moved
-
-    def _tell(self, name, height, top):
-        if self._feedback is not None and (name, height) not in self._told:
-            self._told.add((name, height))
-            text = tr(
-                "The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is "
-                "used. If it is in feet, write 'ft' after it."
-            )
-            warn(self._feedback, name, text.format(height=f"{height:.0f}", top=f"{top:.0f}"))
 
     def _found(self, view, max_distance_m):
         from ...core.mapping.peaks import summits_around

@@ -14,6 +14,7 @@ from ...core.base.progress import checkpoint, subtask
 from ...core.base.uncertainty import PoseUncertainty
 from ...core.base.view import open_view
 from . import parameters as shared
+from .doubtful_places import warn_of_place
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
 from .layers import PATH_FIELDS, read_points
@@ -166,6 +167,7 @@ def open_views(algorithm, parameters, context, feedback, terrain, opening):
             point = photo_point(row, pose_values(row.feature, fields), reading, row.path, size_px)
             if point.posed is None:
                 raise PhotoError(_lack(point))
+            warn_of_place(feedback, point, terrain, point.observer)
             view = open_view(terrain, point.posed, opening.max_distance_m, refraction)
         except PhotoError as error:
             warn(feedback, row.name, error.message)

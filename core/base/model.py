@@ -26,7 +26,6 @@ class PhotoMetadata:
     width_px, height_px : int
         Size of the *upright* picture [pixels].
     latitude_deg, longitude_deg : float or None
-        WGS 84 position [degrees].
     altitude_m, altitude_reference : float or None, str or None
         GPSAltitude, negative below the sea [m]; 'sea level', 'below sea level' or 'ellipsoid', from GPSAltitudeRef.
     focal_length_35mm, focal_length_mm : float or None
@@ -36,19 +35,19 @@ class PhotoMetadata:
     orientation : int
         EXIF Orientation 1 to 8, for information only; pixels and sizes here are already upright.
     compass_heading_deg : float or None
-        GPSImgDirection as recorded, clockwise from the north of `compass_reference` [degrees].
+        GPSImgDirection, or else a drone's yaw, clockwise from the north of `compass_reference` [degrees].
     compass_reference : str or None
         'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
-        GPSHPositioningError [m].
     taken_at, utc_offset_s : datetime or None, float or None
         Local time of the camera, and how much it is ahead of UTC [s].
     camera : str or None
-        Make and model.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
         Whether the picture is stitched, so that no pinhole camera describes it.
+    gimbal_pitch_deg, gimbal_roll_deg : float or None
+        As a drone records them, for information only [degrees].
     """
 
     path: str
@@ -70,6 +69,8 @@ class PhotoMetadata:
     notes: tuple[str, ...] = ()
     panorama: bool = False
     utc_offset_s: float | None = None
+    gimbal_pitch_deg: float | None = None
+    gimbal_roll_deg: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

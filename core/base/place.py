@@ -9,10 +9,14 @@ import numpy as np
 from .errors import MissingMetadataError
 from .messages import Message
 from .model import PhotoMetadata
+from .terrain import Observer, Terrain, ground_elevation_m
 from .uncertainty import TYPICAL_POSITION_ERROR_M
 
 USELESS_POSITION_ERROR_M = 1_000.0
-"""A position of a larger standard deviation is refused: the horizon there is not that of the photograph [m]."""
+"""A position of this or a larger standard deviation is refused: the horizon there is not that of the photograph [m]."""
+
+FAR_BELOW_M, FAR_ABOVE_M = 100.0, 1_000.0
+"""An eye this far below the DEM's surface, or above it, is more likely a wrong number than a place [m]."""
 
 SAME_PLACE_DEG = 5e-5
 """A given position this close to the recorded one is the recorded one [degrees of latitude, 5 m]."""
@@ -57,7 +61,7 @@ def position_error_of(request: Any, metadata: PhotoMetadata) -> float:
     error = request.position_error_m
     if error is None and (not _given_counts(request, metadata) or _is_recorded(request, metadata)):
         error = metadata.position_error_m
-    if error is not None and error > USELESS_POSITION_ERROR_M:
+    if error is not None and error >= USELESS_POSITION_ERROR_M:
         raise MissingMetadataError(
             Message(
                 "The GPS position is uncertain by {km} km, too much for a horizon, so the right one is needed. "
@@ -66,6 +70,54 @@ def position_error_of(request: Any, metadata: PhotoMetadata) -> float:
             )
         )
     return float(error or TYPICAL_POSITION_ERROR_M)
+
+
+def doubts_of_place(terrain: Terrain, observer: Observer, position_error_m: float | None = None) -> tuple[Message, ...]:
+    """Say what is unlikely about the place of an eye from which terrain is about to be computed.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    observer : Observer
+    position_error_m : float or None
+        Recorded radius or standard deviation of the position [m].
+
+    Raises
+    ------
+    ObserverOutsideDemError, NoElevationAtObserverError
+        The eye has an elevation of its own, and the DEM has none there.
+    """
+    doubts = []
+    if position_error_m is not None and position_error_m >= USELESS_POSITION_ERROR_M:
+        doubts.append(
+            Message(
+                "The position is uncertain by {km} km (h_acc), so the result may hold for another place than the "
+                "camera's. Move the point to where the camera was, and clear h_acc.",
+                km=f"{position_error_m / 1000:.1f}",
+            )
+        )
+    above_m = observer.eye_height_m
+    if observer.eye_elevation_m is not None:
+        frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
+        above_m = observer.eye_elevation_m - ground_elevation_m(terrain, frame)
+    if above_m < -FAR_BELOW_M:
+        doubts.append(
+            Message(
+                "The eye lies {metres} m below the DEM's surface, so the result is not what a camera sees. Check the "
+                "camera's elevation (HEIGHT_FIELD), and the unit of the DEM's heights (DEM_UNIT).",
+                metres=f"{-above_m:.0f}",
+            )
+        )
+    elif above_m > FAR_ABOVE_M:
+        doubts.append(
+            Message(
+                "The eye lies {metres} m above the DEM's surface. Unless the camera flew so high, check its elevation "
+                "(HEIGHT_FIELD), its height above the ground (EYE_HEIGHT), and the unit of the DEM's heights "
+                "(DEM_UNIT).",
+                metres=f"{above_m:.0f}",
+            )
+        )
+    return tuple(doubts)
 
 
 def _given_counts(request: Any, metadata: PhotoMetadata) -> bool:

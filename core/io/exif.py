@@ -14,6 +14,7 @@ import warnings
 from ..base.optional import available
 from .formats import GDAL_DRIVERS
 from .gdal_quiet import open_quietly, quiet_gdal
+from .gimbal import PREFIXES, gimbal_tags
 from .xmp import xmp_properties
 
 TAGS = {
@@ -76,14 +77,16 @@ def read_tags(path, kind):
     for reader in (_by_exifread, _by_pillow, _by_gdal):
         tags = reader(path, kind)
         if tags:
-            return {**tags, **_panorama_tags(path)}
-    return _panorama_tags(path)
+            return {**tags, **_xmp_tags(path)}
+    return _xmp_tags(path)
 
 
-def _panorama_tags(path):
-    found = xmp_properties(path, "GPano")
-    raw = {name: found[name] for name in PANORAMA_TAGS if name in found}
-    return _normal({name: text if name in TEXT_TAGS else _numbers(text) for name, text in raw.items()})
+def _xmp_tags(path):
+    """Tags of panoramas, and the angles of a drone's camera."""
+    found = xmp_properties(path, ("GPano", *PREFIXES))
+    raw = {name: text for name, text in found["GPano"].items() if name in PANORAMA_TAGS}
+    panorama = _normal({name: text if name in TEXT_TAGS else _numbers(text) for name, text in raw.items()})
+    return {**panorama, **gimbal_tags(found)}
 
 
 def _by_exifread(path, kind):

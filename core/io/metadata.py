@@ -22,6 +22,9 @@ RANGE_ERROR_M = 5.0
 POOR_DOP = 20.0
 """A larger dilution of precision is called poor; receivers without a fix write 50, 99 or 9999."""
 
+NO_FIX_DOP = 99.0
+"""Dilution of precision of a status of no fix; receivers that have no other way to say so write this value."""
+
 STITCHED = ("equirectangular", "cylindrical", "spherical")
 """Values of GPano:ProjectionType whose pictures no lens makes."""
 
@@ -69,6 +72,8 @@ def interpret(tags, width_px, height_px):
         "orientation": int(orientation) if orientation in range(1, 9) else 1,
         "compass_heading_deg": heading_deg,
         "compass_reference": heading_reference,
+        "gimbal_pitch_deg": number(tags, "GimbalPitch"),
+        "gimbal_roll_deg": number(tags, "GimbalRoll"),
         "position_error_m": None if latitude_deg is None else _position_error_m(tags, notes),
         "taken_at": _time(tags),
         "utc_offset_s": _utc_offset_s(tags),
@@ -96,11 +101,15 @@ def _position(tags, notes):
     north, east = _reference(tags, "GPSLatitudeRef"), _reference(tags, "GPSLongitudeRef")
     if north not in ("N", "S") or east not in ("E", "W"):
         notes.append(Message("The hemisphere is not recorded; north and east were assumed where it is missing."))
-    if tags.get("GPSStatus", "").upper() == "V":
+    if _lacks_fix(tags):
         notes.append(
             Message("The GPS had no fix when the photo was taken, so the position may be that of another place.")
         )
     return _signed(latitude_deg, north, "NS"), _signed(longitude_deg, east, "EW")
+
+
+def _lacks_fix(tags):
+    return tags.get("GPSStatus", "").upper() == "V"
 
 
 def _signed(value_deg, reference, letters):
@@ -124,10 +133,10 @@ def _degrees(parts):
 
 
 def _position_error_m(tags, notes):
-    """Give the recorded standard deviation of the position, or the one that a poor DOP implies [m]; None if unknown."""
+    """Give the recorded standard deviation of the position, or that of a poor DOP or no fix [m]; None if unknown."""
     recorded, dop = positive(tags, "GPSHPositioningError"), positive(tags, "GPSDOP")
     if dop is None or dop < POOR_DOP:
-        return recorded
+        return max(recorded or 0.0, RANGE_ERROR_M * NO_FIX_DOP) if _lacks_fix(tags) else recorded
     error_m = max(recorded or 0.0, RANGE_ERROR_M * dop)
     notes.append(
         Message(
@@ -152,7 +161,8 @@ def _altitude(tags):
 def _heading(tags):
     heading_deg = number(tags, "GPSImgDirection")
     if heading_deg is None or not 0 <= heading_deg <= 360:
-        return None, None
+        yaw_deg = number(tags, "GimbalYaw")
+        return (None, None) if yaw_deg is None else (yaw_deg % 360, "T")
     reference = _reference(tags, "GPSImgDirectionRef")
     return heading_deg % 360, reference if reference in ("T", "M") else None
 

@@ -11,23 +11,27 @@ SEARCHED_BYTES = 2**20
 packets hold previews and masks of an editing program."""
 
 
-def xmp_properties(path, prefix):
-    """Give the simple properties of one XMP namespace.
+def xmp_properties(path, prefixes):
+    """Give the simple properties of some XMP namespaces, from one look at the file.
 
     Parameters
     ----------
     path : str
         Picture of any format; the packet is plain text in all of them.
-    prefix : str
-        Usual prefix of the namespace, for example "GPano".
+    prefixes : sequence of str
+        Usual prefixes of the namespaces, for example "GPano".
 
     Returns
     -------
     dict
-        Text by property name; empty if the file has no such packet.
+        Text by property name, for each prefix; empty dicts if the file has no such packet.
     """
     text = _packet(path).decode("utf-8", "replace")
-    name = re.escape(prefix) + r":(\w+)"
+    return {prefix: _properties(text, prefix) for prefix in prefixes}
+
+
+def _properties(text, prefix):
+    name = r"\b" + re.escape(prefix) + r":(\w+)"
     found = re.findall(name + r"\s*=\s*[\"']([^\"'<>]*)[\"']", text)
     found += re.findall("<" + name + r"(?:\s[^<>]*)?>([^<>]*)</", text)
     return {key: value.strip() for key, value in found}

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..base.camera import to_camera_axes
 from ..base.progress import SILENT
+from ..base.summit_heights import contradicts
 from ..base.surface import elevation_at, incidence_deg, normal_at
 from .peaks import HEIGHT_WEIGHT, own_ground_m, snap_to_summit
 from .projecting import Places, ProjectedPlaces, project_places
@@ -56,7 +57,7 @@ class Sighting:
     quality: float
 
 
-def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0):
+def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0, doubted=contradicts):
     """Place of a point with a published height: on the DEM's own top if it is a summit, else where it is published.
 
     It is a summit if position and height together agree better with a top of the DEM nearby than with the ground at the
@@ -72,6 +73,10 @@ def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0):
         Published height [m].
     radius_m : float
         Search radius; 0 or less leaves every point at its place [m].
+    doubted : callable
+        Tells from the published height and that of the top [m] whether the DEM contradicts the height; it is asked if
+        the ground at the place does. Such a height is not used: the place is then the highest one nearby, as for a
+        summit without a height.
 
     Returns
     -------
@@ -83,6 +88,9 @@ def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0):
     if radius_m <= 0 or not np.isfinite(here):
         return published
     east, north, top = snap_to_summit(terrain, frame, *place, elevation_m, radius_m)
+    if contradicts(elevation_m, here) and doubted(elevation_m, top):
+        east, north, _ = snap_to_summit(terrain, frame, *place, None, radius_m)
+        return Places(np.array([east]), np.array([north]), own_ground_m=own_ground_m(frame))
     moved = float(np.hypot(east - place[0], north - place[1]))
     if not HEIGHT_WEIGHT * abs(here - elevation_m) > moved + HEIGHT_WEIGHT * abs(top - elevation_m):
         return published

@@ -189,10 +189,7 @@ def _match(photo, say):
     rows = [
         (say("Within 3° of the truth"), percent(orientation.p_correct)),
         (say("Score"), "–" if orientation.best is None else f"{orientation.best.score:.3f}"),
-        (
-            say("Score of alternative 2"),
-            f"{orientation.candidates[1].score:.3f}" if orientation.candidates[1:] else "–",
-        ),
+        (say("Score of alternative 2"), next((f"{one.score:.3f}" for one in orientation.candidates[1:2]), "–")),
         (say("NCC"), with_unit(orientation.ncc, "", 3)),
         (say("NCC of the second peak"), with_unit(orientation.ncc_second, "", 3)),
         (say("Sharpness of the peak"), with_unit(orientation.sharpness, "", 2)),
@@ -225,14 +222,17 @@ def _lens(photo, say):
 
 def _compass(photo, say):
     metadata = photo.metadata
-    recorded = metadata.compass_heading_deg if metadata else None
-    code = metadata.compass_reference if metadata else None
+    recorded, code = (metadata.compass_heading_deg, metadata.compass_reference) if metadata else (None, None)
     reference = {"T": say("from true north"), "M": say("from magnetic north")}.get(code, say("reference unknown"))
-    return [
+    rows = [
         (say("Recorded"), f"{azimuth(recorded)} ({reference})" if is_known(recorded) else "–"),
         (say("Converted to true north"), azimuth(photo.compass_true_deg)),
         (say("Recorded minus found"), degrees(compass_difference_deg(photo), 1, signed=True)),
     ]
+    gimbal = (metadata.gimbal_pitch_deg, metadata.gimbal_roll_deg) if metadata else (None, None)
+    labels = say("Pitch of the gimbal, + up"), say("Roll of the gimbal, + right side down")
+    drone = gimbal != (None, None)  # others have no such rows
+    return rows + [(label, degrees(angle, 1, signed=True)) for label, angle in zip(labels, gimbal) if drone]
 
 
 def _place(photo, say):

@@ -198,6 +198,65 @@ def test_a_mixed_collection_is_split_by_kind(qgis_app):
     assert of_one_kind(line) == [line]
 
 
+def mixed_and_separate(scene, path):
+    """A point, a line and an area ahead of the north photo: as one collection, and as features of their own."""
+    lon, lat = scene.positions["north"]
+    corners = [(lon + east, lat + north) for east, north in ((0.004, 0.02), (0.008, 0.02), (0.008, 0.024))]
+    ring = ",".join(f"{x} {y}" for x, y in (*corners, corners[0]))
+    parts = [f"Point({lon + 0.006} {lat + 0.015})", f"LineString({ring})", f"Polygon(({ring}))"]
+    fields = [("name", TEXT), ("ele", REAL)]
+    _write_collection(path, f"GEOMETRYCOLLECTION({','.join(parts)})")
+    mixed = QgsVectorLayer(str(path), "mixed", "ogr")
+    assert mixed.featureCount() == 1
+    kinds = ("Point", "LineString", "Polygon")
+    return mixed, [layer_of(kind, fields, [(part, [kind, None])]) for kind, part in zip(kinds, parts)]
+
+
+def _write_collection(path, wkt):
+    """GeoPackage with one collection, for which memory layers have no kind and which QGIS takes for a table."""
+    from osgeo import ogr, osr
+
+    wgs84 = osr.SpatialReference()
+    wgs84.ImportFromEPSG(4326)
+    dataset = ogr.GetDriverByName("GPKG").CreateDataSource(str(path))
+    layer = dataset.CreateLayer("mixed", wgs84, ogr.wkbGeometryCollection)
+    layer.CreateField(ogr.FieldDefn("name", ogr.OFTString))
+    feature = ogr.Feature(layer.GetLayerDefn())
+    feature["name"] = "all"
+    feature.SetGeometry(ogr.CreateGeometryFromWkt(wkt))
+    layer.CreateFeature(feature)
+    del feature, layer, dataset
+
+
+def test_a_mixed_collection_is_drawn_as_its_parts_would_be(run, scene, tmp_path):
+    mixed, separate = mixed_and_separate(scene, tmp_path / "mixed.gpkg")
+    base = {"INPUT": oriented(scene, "north"), "DEM": str(scene.dem), "MAX_DISTANCE": REACH_M, "OUTPUT": "memory:"}
+    base.update(LINES="memory:", NAME_FIELD="name")
+
+    def shapes(layer):
+        results, _ = run("maptopixel", {**base, "FEATURES": layer})
+        found = [*results["OUTPUT"].getFeatures(), *results["LINES"].getFeatures()]
+        return sorted((f["state"], f.geometry().asWkt(3)) for f in found)
+
+    alone = [shape for layer in separate for shape in shapes(layer)]
+    assert len(alone) >= 3 and shapes(mixed) == sorted(alone)
+
+
+def test_a_mixed_collection_is_searched_for_with_all_its_parts(run, scene, tmp_path):
+    mixed, separate = mixed_and_separate(scene, tmp_path / "mixed.gpkg")
+    base = {"INPUT": oriented(scene, "north"), "DEM": str(scene.dem), "MAX_DISTANCE": REACH_M, "OUTPUT": "memory:"}
+
+    def seen(layer):
+        results, _ = run("whichphotos", {**base, "PLACES": layer})
+        return [(f["vis_share"], f["in_frame"], f["dist_m"]) for f in results["OUTPUT"].getFeatures()]
+
+    alone = [row for layer in separate for row in seen(layer)]
+    ((share, framed, distance_m),) = seen(mixed)
+    assert min(row[0] for row in alone) <= share <= max(row[0] for row in alone) or len(alone) < 3
+    assert 0 < share <= framed <= 1
+    assert min(row[2] for row in alone) * 0.9 <= distance_m <= max(row[2] for row in alone) * 1.1
+
+
 # Names that repeat
 
 

@@ -331,9 +331,38 @@ def test_a_search_for_summits_finds_the_photos_in_which_they_are_labelled(run, s
         labelled, _ = run("labelpeaks", base(oriented, scene, **{**given, "PEAKS": peaks}))
         searched, _ = run("whichphotos", base(oriented, scene, **{**given, "PLACES": peaks}))
         labels = {(row["photo"], row["name"]) for row in rows_of(labelled["OUTPUT"]) if row["state"] == "visible"}
+        drawn, _ = run("maptopixel", base(oriented, scene, **{**given, "FEATURES": peaks}))
         shown[snap] = {(row["photo"], row["place"]) for row in rows_of(searched["OUTPUT"])}
         assert shown[snap] <= labels
+        drawn = [row for row in rows_of(drawn["OUTPUT"]) if row["state"] == "visible"]
+        assert {(row["photo"], row["name"]) for row in drawn} == shown[snap]
+        if snap:
+            places = {(row["photo"], row["name"]): (row["x_px"], row["y_px"]) for row in rows_of(labelled["OUTPUT"])}
+            for row in drawn:
+                assert (row["x_px"], row["y_px"]) == pytest.approx(places[row["photo"], row["name"]], abs=1e-6)
     assert shown[500.0] > shown[0.0]
+
+
+@pytest.mark.parametrize(
+    "name, layer, called", [("maptopixel", "FEATURES", "name"), ("whichphotos", "PLACES", "place")]
+)
+def test_heights_with_units_are_read_and_those_that_the_dem_contradicts_are_said(
+    run, scene, oriented, name, layer, called
+):
+    found, _ = run("labelpeaks", base(oriented, scene, MIN_PROMINENCE=100.0, OUTPUT="memory:"))
+    north = [f for f in found["OUTPUT"].getFeatures() if f["photo"].endswith("north.jpg") and f["state"] == "visible"]
+    summit, place = north[0], north[0].geometry().asWkt(9).replace("PointZ", "Point Z")
+    feet, metres = f"{summit['height_m'] / 0.3048:.1f} ft", f"{summit['height_m']:.1f} m"
+    rows = [(place, [words, words]) for words in (metres, feet, "18941")]
+    peaks = memory_layer("PointZ", [("name", QVariant.String), ("ele", QVariant.String)], rows, crs="")
+    peaks.setCrs(found["OUTPUT"].crs())
+    results, feedback = run(name, base(oriented, scene, **{layer: peaks, "NAME_FIELD": "name", "OUTPUT": "memory:"}))
+    seen = {row[called]: row for row in rows_of(results["OUTPUT"]) if row["photo"].endswith("north.jpg")}
+    at = {words: (row["x_px"], row["y_px"]) for words, row in seen.items()}
+    assert at[feet] == pytest.approx(at[metres], abs=0.1)
+    assert at["18941"] == pytest.approx((summit["x_px"], summit["y_px"]), abs=20)
+    (told,) = [warning for warning in feedback.warnings if "contradicts the DEM" in warning]
+    assert told.startswith("18941: ")
 
 
 def test_areas_are_asked_for_the_share_that_shows(run, scene, oriented):

@@ -2,10 +2,12 @@
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from skyline_viewshed.core.base.errors import MissingMetadataError
 from skyline_viewshed.core.base.model import PhotoMetadata
-from skyline_viewshed.core.base.place import position_error_of, position_of
+from skyline_viewshed.core.base.place import doubts_of_place, position_error_of, position_of
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
 from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
 
 RECORDED = (7.9, 46.5)
@@ -35,7 +37,7 @@ def test_what_is_no_position_does_not_count(none):
         position_of(request(none), photo((None, None)))
 
 
-@pytest.mark.parametrize("error_m", [65_000.0, 238_000.0, 1_001.0])
+@pytest.mark.parametrize("error_m", [65_000.0, 238_000.0, 1_000.0])
 def test_a_position_that_decides_nothing_is_refused_also_as_a_point_of_a_layer(error_m):
     for given in ((None, None), RECORDED, (RECORDED[0] + 1e-6, RECORDED[1])):
         with pytest.raises(MissingMetadataError, match="uncertain by .* km"):
@@ -50,3 +52,20 @@ def test_the_given_error_comes_first_then_the_recorded_one():
     assert position_error_of(request(error=30.0), photo(error=65_000.0)) == 30.0
     assert position_error_of(request(RECORDED), photo(error=12.0)) == 12.0
     assert position_error_of(request(), photo()) == TYPICAL_POSITION_ERROR_M
+
+
+@pytest.mark.parametrize(
+    "observer, error_m, words",
+    [
+        (Observer(0.0, 0.0), None, []),
+        (Observer(0.0, 0.0, 120.0), 999.0, []),
+        (Observer(0.0, 0.0, 1.7, 1910.0), None, []),
+        (Observer(0.0, 0.0, 1.7, 1890.0), None, ["110 m below"]),
+        (Observer(0.0, 0.0, 1.7, 6562.0), 1_000.0, ["uncertain by 1.0 km", "4562 m above"]),
+        (Observer(0.0, 0.0, 2000.0), None, ["2000 m above"]),
+    ],
+)
+def test_an_eye_in_an_unlikely_place_is_said(observer, error_m, words):
+    terrain = ArrayTerrain(np.full((9, 9), 2000.0, np.float32), 30.0)
+    doubts = doubts_of_place(terrain, observer, error_m)
+    assert len(doubts) == len(words) and all(part in str(doubt) for part, doubt in zip(words, doubts))

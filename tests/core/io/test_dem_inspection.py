@@ -127,3 +127,11 @@ def test_open_options_behind_the_path_are_open_options(tmp_path, hills):
     assert np.array_equal(whole(dem), hills)
     odd = make_tif(tmp_path / "b|option:C=D.tif", hills)
     assert open_dem(odd).path == odd
+
+
+def test_a_plain_with_a_tower_is_a_dem(tmp_path):
+    """One high cell carries all the variance, but most neighbours are equal, unlike those of a shaded map."""
+    plain = np.zeros((301, 301), np.float32)
+    plain[150, 150] = 255.0
+    make_tif(tmp_path / "plain.tif", plain)
+    assert whole(open_dem(tmp_path / "plain.tif")).max() == 255.0

@@ -91,7 +91,9 @@ def test_without_a_reference_the_sign_counts():
         ({"GPSDOP": (3.0,), "GPSHPositioningError": (12.0,)}, 12, None),
         ({"GPSDOP": (99.0,)}, 495, "imprecise (DOP 99)"),
         ({"GPSDOP": (9999.0,), "GPSHPositioningError": (5.0,)}, 49_995, "imprecise (DOP 9999)"),
-        ({"GPSStatus": "V"}, None, "no fix"),
+        ({"GPSStatus": "V"}, 495, "no fix"),
+        ({"GPSStatus": "V", "GPSHPositioningError": (5.0,)}, 495, "no fix"),
+        ({"GPSStatus": "V", "GPSHPositioningError": (65_000.0,)}, 65_000, "no fix"),
         ({"GPSStatus": "A"}, None, None),
     ],
 )

@@ -76,6 +76,25 @@ def test_a_published_summit_stands_on_the_top_of_the_dem_and_a_hut_where_it_is()
     assert (unmoved.east_m[0], unmoved.north_m[0]) == (40.0, 1150.0)
 
 
+@pytest.mark.parametrize("published_m", [320 / 0.3048, 9999.0])
+def test_a_height_that_the_dem_contradicts_is_not_used_and_this_is_asked_with_both_heights(published_m):
+    terrain, asked = pyramid(), []
+    view = north_view(terrain, 5.0)
+    place = place_of_height(terrain, view.frame, (40.0, 1050.0), published_m)
+    assert (place.east_m[0], place.north_m[0], place.elevation_m) == (
+        pytest.approx(0, abs=1),
+        pytest.approx(1000, abs=1),
+        None,
+    )
+
+    def believed(published, top):
+        asked.append((published, top))
+        return False
+
+    kept = place_of_height(terrain, view.frame, (40.0, 1050.0), published_m, 500.0, believed)
+    assert kept.elevation_m[0] == published_m and asked == [(published_m, pytest.approx(300, abs=10))]
+
+
 def test_a_summit_is_seen_though_its_published_place_lies_behind_the_top():
     terrain = pyramid()
     view = north_view(terrain, 5.0)

@@ -59,6 +59,15 @@ def test_magnetic_and_unknown_references_are_said(painted):
         assert ("Recorded", f"121.0° ({words})") in dict(fact_groups(replace(photo, metadata=metadata)))["Compass"]
 
 
+def test_the_angles_of_a_drone_s_gimbal_are_shown_if_there_are_any(painted):
+    photo = painted()
+    assert not [label for label, _ in dict(fact_groups(photo))["Compass"] if "gimbal" in label]
+    metadata = replace(photo.metadata, gimbal_pitch_deg=-4.5)
+    rows = dict(fact_groups(replace(photo, metadata=metadata)))["Compass"]
+    assert ("Pitch of the gimbal, + up", "−4.5°") in rows
+    assert ("Roll of the gimbal, + right side down", "–") in rows
+
+
 def test_a_photo_of_which_nothing_is_known_has_its_path_only():
     photo = OrientedPhoto("/x/y.jpg", Orientation("failed", "no"))
     assert fact_groups(photo) == [("File", [("Path", "/x/y.jpg")])]
