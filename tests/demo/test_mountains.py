@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scenes import small_mountains
 from scipy.ndimage import gaussian_filter
-from skyline_viewshed.demo.mountains import MountainOptions, fractal_field, make_mountains, roughness
+from skyline_viewshed.core.simulate.roughness import fractal_field, roughness
+from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
 
 def test_a_seed_gives_one_range_and_another_seed_another():
