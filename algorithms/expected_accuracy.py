@@ -175,7 +175,11 @@ class ExpectedAccuracy(DemAlgorithm):
                 warn(feedback, name, tr("The point has no usable position."))
                 continue
             try:
-                yield name, position, simulate_trial(dem, Observer(*position, height_m), photo, options, part)
+                yield (
+                    name,
+                    position,
+                    simulate_trial(dem, Observer(position[0], position[1], height_m), photo, options, part),
+                )
             except PhotoError as error:
                 warn(feedback, name, error.message)
         checkpoint(progress, 0.95)

@@ -168,7 +168,7 @@ class LocatePhotos(DemAlgorithm):
             return read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", ("HFOV_FIELD",))[1]
         from .shared.fields import photo_specs
 
-        paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context))
+        paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
         return read_files(paths, qgis_fields(photo_specs()), feedback)
 
     def _write(self, parameters, context, rows):

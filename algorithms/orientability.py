@@ -116,7 +116,7 @@ class Orientability(DemAlgorithm):
         with OrientabilityReport(self, parameters, context) as report:
             rows = [] if is_null(parameters.get("INPUT")) else places_of(self, parameters, context, "INPUT", "STEP")
             for name, position, found in self._predicted(rows, hfovs, options, parameters, context, feedback, end):
-                report.add(name, position, found[0], list(zip(hfovs, found[1])))
+                report.add_place(name, position, found[0], list(zip(hfovs, found[1])))
                 features += [place_row(position, name, hfov, one) for hfov, one in zip(hfovs, found[1])]
             raster = write_orientability(self, parameters, context, feedback, hfovs[0], options, (end, 0.95))
             if raster is not None:
@@ -146,7 +146,7 @@ class Orientability(DemAlgorithm):
                 warn(feedback, name, tr("The point has no usable position."))
                 continue
             try:
-                yield name, position, predict(dem, Observer(*position, height_m), hfovs, options, part)
+                yield name, position, predict(dem, Observer(position[0], position[1], height_m), hfovs, options, part)
             except PhotoError as error:
                 warn(feedback, name, error.message)
         checkpoint(progress, end)

@@ -105,7 +105,7 @@ def of_one_kind(geometry):
     """Split a collection of several kinds into one geometry for each kind; others stay whole."""
     if geometry.type() != QgsWkbTypes.GeometryType.UnknownGeometry:
         return [geometry]
-    kinds = {}
+    kinds: dict = {}
     for part in simple_parts(geometry):
         kinds.setdefault(kind_of(part), []).append(part)
     return [QgsGeometry.collectGeometry(parts) for parts in kinds.values()]

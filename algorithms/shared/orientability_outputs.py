@@ -23,7 +23,7 @@ class OrientabilityReport(HorizonReport):
 
     WRITER = "orientability"
 
-    def add(self, name, position, horizon, predictions):
+    def add_place(self, name, position, horizon, predictions):
         """Append one place.
 
         Parameters

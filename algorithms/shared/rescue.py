@@ -117,7 +117,8 @@ class Rescue:
 
 def _by_photo(table, paths, parameter):
     """Entries of a table {reference: list} by the photo that each reference means."""
-    found, unclear = {}, []
+    found: dict = {}
+    unclear: list = []
     for reference, path in owners(table, paths).items():
         if path is None:
             unclear.append(str(reference))
@@ -157,7 +158,7 @@ def _upright_pixel(path, mark):
 def _landmarks(source, context):
     from ...core.batch import LandmarkHint
 
-    found = {}
+    found: dict = {}
     if source is None:
         return found
     to_wgs84 = wgs84_transform(source, context)
@@ -174,7 +175,7 @@ def _landmarks(source, context):
 
 
 def _skylines(source):
-    found = {}
+    found: dict = {}
     if source is None:
         return found
     columns = _columns(source, "SKYLINES")

@@ -134,9 +134,8 @@ def summits_of(algorithm, parameters, context, terrain, dem_crs):
         if source is None:
             raise QgsProcessingException(algorithm.invalidSourceError(parameters, "PEAKS"))
         given = _given(algorithm, parameters, context, source, dem_crs)
-    numbers = (algorithm.parameterAsDouble(parameters, key, context) for key in ("SNAP", "MIN_PROMINENCE"))
-    return Summitry(terrain, given, *numbers, context.feedback())
-
+    snap_m, least_m = (algorithm.parameterAsDouble(parameters, key, context) for key in ("SNAP", "MIN_PROMINENCE"))
+    return Summitry(terrain, given, snap_m, least_m, context.feedback())
 
 
 def _given(algorithm, parameters, context, source, dem_crs):
@@ -147,8 +146,8 @@ def _given(algorithm, parameters, context, source, dem_crs):
     path = "" if layer is None else layer.source().split("|")[0]
     if is_extract(path):
         return _of_extract(path, dem_crs, context)
-    names = [algorithm.parameterAsString(parameters, key, context) for key in ("NAME_FIELD", "ELEVATION_FIELD")]
-    return read_summits(source, *names, to_dem_transform(source.sourceCrs(), dem_crs, context))
+    name, height = (algorithm.parameterAsString(parameters, key, context) for key in ("NAME_FIELD", "ELEVATION_FIELD"))
+    return read_summits(source, name, height, to_dem_transform(source.sourceCrs(), dem_crs, context))
 
 
 class Summitry:

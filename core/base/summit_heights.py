@@ -35,7 +35,8 @@ def height_m(text: str) -> float | None:
         return None
     digits = found.group()
     thousands = _THOUSANDS.match(digits)
-    kept = thousands.group() if thousands else re.match(r"[-+]?\d+(?:[.,]\d+)?", digits).group()
+    plain = thousands or re.match(r"[-+]?\d+(?:[.,]\d+)?", digits)
+    kept = plain.group() if plain else digits
     number = re.sub(r"[,'’\s]", "", kept) if thousands else kept.replace(",", ".")
     unit = str(text)[found.start() + len(kept) :].strip().lower()
     value = float(number)

@@ -71,7 +71,8 @@ def runs_of(words, size_px, bold=False):
     -------
     list of (str, font)
     """
-    runs, usual = [], usual_font(size_px, bold)
+    usual = usual_font(size_px, bold)
+    runs: list = []
     for character in words:
         # Spaces and marks stay with the letter before them.
         path = runs[-1][1] if runs and not _is_letter(character) else font_with(character)

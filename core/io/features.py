@@ -48,7 +48,7 @@ def read_features(path):
     ------
     UnreadableFeaturesError
     """
-    notes = []
+    notes: list = []
     text = _text(path)
     if text.lstrip()[:1] in ("{", "["):
         return _from_json(path, text, notes), notes
@@ -148,7 +148,7 @@ def _from_csv(path, text):
     photo, label, group, kind = (
         next((names[n] for n in wanted if n in names), None) for wanted in (_PHOTO, _LABEL, _GROUP, _KIND)
     )
-    collected = {}
+    collected: dict = {}
     for number, row in enumerate(rows):
         try:
             place = float(row[x]), float(row[y])

@@ -48,7 +48,8 @@ def dataset_state(path, dataset):
 
 def _files(path, dataset):
     """Collect the files on the disk, also of VRTs within VRTs; an archive stands for its members."""
-    found, waiting = set(), [path, *(dataset.GetFileList() or ())]
+    found: set = set()
+    waiting = [path, *(dataset.GetFileList() or ())]
     while waiting and len(found) < MOST_NESTED:
         name = on_disk(waiting.pop())
         if name is None or name in found or name.lower().endswith((".aux.xml", ".ovr")):

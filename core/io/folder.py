@@ -35,7 +35,8 @@ def scan_folder(folder, recursive=False):
     SkylineViewshedError
         If the folder is missing or cannot be read.
     """
-    found, skipped = [], Counter()
+    skipped: Counter[str] = Counter()
+    found = []
     try:
         for entry in os.scandir(folder):
             if entry.is_file():

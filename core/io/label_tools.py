@@ -27,7 +27,8 @@ RINGS = ("polygon", "rotation", "quadrilateral", "oriented_rectangle")
 
 def of_labelme(data, notes):
     """Read a LabelMe file; `notes` gets a `Message` on what is left out."""
-    features, unknown = [], Counter()
+    unknown: Counter[str] = Counter()
+    features = []
     photo, size_px = data.get("imagePath") or "", _size(data.get("imageWidth"), data.get("imageHeight"))
     for shape in data["shapes"]:
         kind = shape.get("shape_type") or "polygon"
@@ -67,7 +68,8 @@ def of_coco(data, notes):
     """Read a COCO file; `notes` gets a `Message` on what is left out."""
     images = {image["id"]: image for image in data["images"]}
     classes = {c["id"]: c.get("name", "") for c in data.get("categories", [])}
-    features, empty = [], Counter()
+    empty: Counter[str] = Counter()
+    features = []
     for entry in data["annotations"]:
         image, label = images.get(entry.get("image_id"), {}), classes.get(entry.get("category_id"), "")
         photo, size_px = image.get("file_name", ""), _size(image.get("width"), image.get("height"))
@@ -100,7 +102,8 @@ def _coco_shape(entry):
 
 def of_via(data, notes):
     """Read the pictures of a VIA project; `notes` gets a `Message` on what is left out."""
-    features, unknown = [], Counter()
+    unknown: Counter[str] = Counter()
+    features = []
     for picture in data.values():
         regions = picture["regions"]
         for region in regions.values() if isinstance(regions, dict) else regions:
@@ -109,7 +112,8 @@ def of_via(data, notes):
             if drawn is None:
                 unknown[str(region["shape_attributes"].get("name"))] += 1
                 continue
-            feature = make_feature(picture["filename"], *drawn, first_value(given), plain_values(given),
+            kind, parts = drawn
+            feature = make_feature(picture["filename"], kind, parts, first_value(given), plain_values(given),
                                    file_bytes=via_bytes(picture.get("size")))  # fmt: skip
             features.append(feature)
     _note_unknown(unknown, notes)

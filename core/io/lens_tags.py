@@ -86,7 +86,8 @@ def focal_length_35mm(tags, width_px, height_px, notes):
             )
         )
     size = max(width_px, height_px), min(width_px, height_px)
-    enlarged = _crop_factor(*_recorded_size(tags, size), *size)
+    recorded = _recorded_size(tags, size)
+    enlarged = _crop_factor(recorded[0], recorded[1], size[0], size[1])
     if enlarged > 1:
         notes.append(
             Message(
@@ -165,7 +166,7 @@ def _sensor_mm(tags, width_px, height_px):
     """Give the diagonal of the recorded frame on the sensor [mm]; None if unknown or impossible."""
     unit_mm = MILLIMETRES_PER_UNIT.get(number(tags, "FocalPlaneResolutionUnit") or 2)
     x_resolution, y_resolution = positive(tags, "FocalPlaneXResolution"), positive(tags, "FocalPlaneYResolution")
-    if None in (unit_mm, x_resolution, y_resolution):
+    if unit_mm is None or x_resolution is None or y_resolution is None:
         return None
     # The resolution refers to the picture as the camera stored it; a resampled copy shows the same field of view.
     stored_width = positive(tags, "PixelXDimension") or width_px

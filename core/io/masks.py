@@ -36,7 +36,8 @@ def mask_of_runs(segmentation):
 
 def _counts_of_text(text):
     """Decode COCO's compressed counts: five bits a character, and differences to the run before the last."""
-    counts, place = [], 0
+    counts: list = []
+    place = 0
     while place < len(text):
         value, shift, more = 0, 0, True
         while more:
@@ -96,7 +97,7 @@ def _rings(mask):
     """Closed chains of pixel edges with the mask on their right (y down), without the corners within straight runs."""
     padded = np.pad(mask, 1).astype(np.int8)
     down, right = np.diff(padded, axis=0), np.diff(padded, axis=1)
-    leaving = {}
+    leaving: dict = {}
     for array, sign, start, step in (
         (down[:, 1:-1], 1, (0, 0), (1, 0)),  # above a pixel: to the right
         (down[:, 1:-1], -1, (1, 0), (-1, 0)),  # below it: to the left
@@ -108,13 +109,14 @@ def _rings(mask):
     rings = []
     while leaving:
         corner = first = next(iter(leaving))
-        step, ring = None, []
-        while corner != first or step is None:
-            turned = _next_step(leaving, corner, step)
-            if turned != step:
+        ring: list = []
+        walked: tuple | None = None
+        while corner != first or walked is None:
+            turned = _next_step(leaving, corner, walked)
+            if turned != walked:
                 ring.append(corner)
-            step = turned
-            corner = corner[0] + step[0], corner[1] + step[1]
+            walked = turned
+            corner = corner[0] + turned[0], corner[1] + turned[1]
         rings.append(np.array(ring, float))
     return rings
 

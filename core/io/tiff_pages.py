@@ -82,7 +82,8 @@ class _Reader:
 
 def _directories(reader):
     """Yield each directory, sub-directories included, as a dict of its integer tags."""
-    waiting, seen = [reader.first], set()
+    waiting = [reader.first]
+    seen: set = set()
     while waiting and len(seen) < MOST_DIRECTORIES:
         place = waiting.pop(0)
         if place == 0 or place in seen:

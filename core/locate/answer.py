@@ -97,7 +97,7 @@ def oriented_at(photo, evidence, best, where, says):
     longitude_deg, latitude_deg, profile = where
     return OrientedPhoto(
         photo.metadata.path,
-        Orientation(*says, (best,), p_correct=best.probability),
+        Orientation(says[0], says[1], (best,), p_correct=best.probability),
         metadata=photo.metadata,
         preview=photo.pixels,
         camera=best.camera,

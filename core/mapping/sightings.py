@@ -87,9 +87,9 @@ def place_of_height(terrain, frame, place, elevation_m, radius_m=500.0, doubted=
     published = Places(np.array([place[0]]), np.array([place[1]]))
     if radius_m <= 0 or not np.isfinite(here):
         return published
-    east, north, top = snap_to_summit(terrain, frame, *place, elevation_m, radius_m)
+    east, north, top = snap_to_summit(terrain, frame, place[0], place[1], elevation_m, radius_m)
     if contradicts(elevation_m, here) and doubted(elevation_m, top):
-        east, north, _ = snap_to_summit(terrain, frame, *place, None, radius_m)
+        east, north, _ = snap_to_summit(terrain, frame, place[0], place[1], None, radius_m)
         return Places(np.array([east]), np.array([north]), own_ground_m=own_ground_m(frame))
     moved = float(np.hypot(east - place[0], north - place[1]))
     if not HEIGHT_WEIGHT * abs(here - elevation_m) > moved + HEIGHT_WEIGHT * abs(top - elevation_m):
