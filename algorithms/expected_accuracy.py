@@ -72,6 +72,7 @@ class ExpectedAccuracy(DemAlgorithm):
         self.addParameter(shared.distance("STEP", tr("Step along lines (m)"), 500.0, text, minimum=10.0))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         text = tr("They are spread evenly over the places.")
         self.addParameter(
             shared.number("PHOTOS", tr("Number of photographs"), 20, text, minimum=1, maximum=10_000, integer=True)

@@ -83,6 +83,7 @@ class LocatePhotos(DemAlgorithm):
         self.addParameter(shared.advanced(shared.photo_field()))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         add_area_parameters(self)
         self._add_search_parameters()
         self.addParameter(

@@ -72,6 +72,7 @@ class Orientability(DemAlgorithm):
         self.addParameter(shared.distance("STEP", tr("Step along lines (m)"), 500.0, text, minimum=10.0))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         fields = QgsProcessingParameterString("HFOVS", tr("Horizontal fields of view (°)"), "25, 45, 65")
         self.addParameter(shared.explained(fields, tr("Numbers between 5 and 120, separated by commas.")))
         self.addParameter(shared.eye_height())

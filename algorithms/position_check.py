@@ -61,6 +61,7 @@ class PositionCheck(DemAlgorithm):
         self.addParameter(shared.photo_field())
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         text = tr("Places farther from the recorded position are not tried. The time grows with its square.")
         self.addParameter(shared.distance("RADIUS", tr("Search radius (m)"), 500.0, text, minimum=50.0))
         text = tr("Field of view of the upright picture. NULL: computed from the focal length in the file.")

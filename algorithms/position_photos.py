@@ -100,6 +100,7 @@ class PositionPhotos(SkylineAlgorithm):
         dem.setHelp(tr("Needed only to find the clock's offset from the skylines."))
         self.addParameter(dem)
         self.addParameter(shared.band())
+        self.addParameter(shared.dem_unit())
         text = tr("Longest time between two track points that is interpolated; beyond the track's ends, half of it.")
         gap = shared.number("MAX_GAP", tr("Interpolation limit (s)"), 600.0, text, minimum=1.0, optional=True)
         text = tr("Standard deviation of the track's points.")

@@ -167,6 +167,8 @@ def inputs():
     fields = [("photo", text), *((name, real) for name in pose)]
     at = f"Point({scene['longitude']!r} {scene['latitude']!r})"
     points = layer("Point?crs=EPSG:4326", fields, [(at, photo)])
+    west, south = scene["longitude"] - 0.004, scene["latitude"] - 0.003
+    around = f"{west},{west + 0.008},{south},{south + 0.006} [EPSG:4326]"
     ahead = layer("Point?crs=EPSG:4326", [("name", text)], [(scene["seen"], ["x"])])
     drawn = [("photo", text), ("x", real), ("y", real), ("label", text)]
     pixels = layer("NoGeometry", drawn, [(None, [scene["photo"], 400, 500, "slope"])])
@@ -179,6 +181,16 @@ def inputs():
     offsets = layer("NoGeometry", offsets, [(None, ["a", 100, 200, 150, 190, 1000, 500, 60.0, 30.0])])
     return {
         "importphotos": {"FOLDER": str(SCENE / "odd")},
+        "locatephotos": {
+            "FOLDER": scene["folder"],
+            "DEM": scene["dem"],
+            "SPACING": 2000,
+            "MAX_DISTANCE": 5000,
+            "RADIUS": 1500,
+        },
+        "positioncheck": {"INPUT": points, "DEM": scene["dem"], "RADIUS": 100, "MAX_DISTANCE": 5000},
+        "orientability": {"INPUT": points, "DEM": scene["dem"], "HFOVS": "60", "MAX_DISTANCE": 5000, "EXTENT": around},
+        "expectedaccuracy": {"INPUT": points, "DEM": scene["dem"], "PHOTOS": 1},
         "positionphotos": {"FOLDER": str(SCENE / "odd"), "TRACK": track()},
         "orientphotos": {"INPUT": points, "DEM": scene["dem"]},
         "photoviewshed": {"FOLDER": scene["folder"], "DEM": scene["dem"], "MAX_DISTANCE": 3000},

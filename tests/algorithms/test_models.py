@@ -140,7 +140,7 @@ MANDATORY = {
     "photocoverage": "INPUT DEM MAX_DISTANCE",
     "photoviewshed": "DEM MAX_DISTANCE SECTOR",
     "pixeltomap": "INPUT DEM MAX_DISTANCE",
-    "positionphotos": "CLOCK CLOCK_OFFSET",
+    "positionphotos": "CLOCK",
     "simulatephotos": "INPUT DEM WIDTH HEIGHT FORMAT",
     "whichphotos": "PLACES INPUT DEM MAX_DISTANCE",
 }
