@@ -124,7 +124,8 @@ class ImageFeatures:
     features : list of MapFeature
     options : SightOptions
     placement : Placement
-    feedback : QgsProcessingFeedback
+    feedback : QgsProcessingFeedback or None
+        Gets the warnings; None keeps silent.
     """
 
     def __init__(self, terrain, features, options, placement, feedback):

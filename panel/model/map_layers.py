@@ -7,7 +7,7 @@ from typing import Any
 
 from qgis.core import QgsProcessingContext, QgsProcessingException, QgsVectorLayer, QgsWkbTypes
 
-from ...algorithms.shared.image_features import ImageFeatures
+from ...algorithms.shared.image_features import ImageFeatures, Placement, read_map_features
 from ...algorithms.shared.map_places import to_dem_transform
 from ...algorithms.shared.summit_input import read_summits
 from ...algorithms.shared.views import OpenedPhoto
@@ -88,13 +88,12 @@ def read_layers(layers, ground, dem_crs, project):
     found = []
     for layer in layers:
         try:
-            features = ImageFeatures(
-                ground.terrain, _Source(layer), dem_crs, context, _name_field(layer),
-                SightOptions(max_distance_m=REACH_M), 0.0, STEP_PX,
-            )  # fmt: skip
+            transform = to_dem_transform(layer.crs(), dem_crs, context)
+            features = read_map_features(_Source(layer), transform, _name_field(layer), "")
         except QgsProcessingException:  # nothing of the layer lies where the DEM's CRS is valid
             continue
-        found.append(features)
+        options = SightOptions(max_distance_m=REACH_M)
+        found.append(ImageFeatures(ground.terrain, features, options, Placement(step_px=STEP_PX), None))
     return found
 
 
