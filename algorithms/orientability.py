@@ -59,8 +59,8 @@ class Orientability(DemAlgorithm):
             ),
             tr(
                 "A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The "
-                "probability ranks places and directions only weakly, because most photographs fail on clouds, trees and "
-                "near slopes, which the DEM does not show."
+                "probability ranks places and directions only weakly, because most photographs fail on clouds, trees "
+                "and near slopes, which the DEM does not show."
             ),
         ]
 

@@ -1,4 +1,4 @@
-"""Fit the weights of `orientability`: `fit_orientability.py DATA --photos P.json --views V.json --simulated S.json ...`.
+"""Fit the weights of `orientability`: `fit_orientability.py DATA --photos P.json --views V.json --simulated S.json`.
 
 DATA is the folder that `benchmarks/bench_accuracy.py` and `benchmarks/bench_views.py` measured, and the files are what
 these and `benchmarks/bench_simulated.py` wrote. Each photograph's horizon is computed at its true place and described
