@@ -58,8 +58,9 @@ class Orientability(DemAlgorithm):
                 "cameras and repeat photography."
             ),
             tr(
-                "A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction "
-                "assumes a photograph with a visible skyline; clouds and trees come on top."
+                "A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The "
+                "probability ranks places and directions only weakly, because most photographs fail on clouds, trees "
+                "and near slopes, which the DEM does not show."
             ),
         ]
 

@@ -1879,8 +1879,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
-        <translation>Ein Horizont, der sich wiederholt, ein flacher und einer aus nahem Gelände sind schwer zu orientieren. Die Vorhersage setzt ein Foto mit sichtbarer Horizontlinie voraus; Wolken und Bäume kommen hinzu.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Ein Horizont, der sich wiederholt, ein flacher Horizont und ein schmaler Bildwinkel sind schwer zu orientieren. Die Wahrscheinlichkeit ordnet Orte und Richtungen nur schwach, weil die meisten Fotos an Wolken, Bäumen und nahen Hängen scheitern, die das DEM nicht zeigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

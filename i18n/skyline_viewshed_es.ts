@@ -1879,8 +1879,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
-        <translation>Un horizonte que se repite, uno llano y uno de terreno cercano son difíciles de orientar. La predicción supone una fotografía con línea del horizonte visible; nubes y árboles se añaden aparte.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Un horizonte que se repite, uno plano y un campo de visión estrecho son difíciles de orientar. La probabilidad ordena los lugares y las direcciones solo débilmente, porque la mayoría de las fotos fallan por nubes, árboles y laderas cercanas, que el DEM no muestra.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

@@ -1879,8 +1879,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one, and one of near terrain are hard to orient. The prediction assumes a photograph with a visible skyline; clouds and trees come on top.</source>
-        <translation>Un horizon qui se répète, un horizon plat et un horizon de terrain proche sont difficiles à orienter. La prévision suppose une photographie dont la ligne d'horizon est visible ; nuages et arbres s'y ajoutent.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Un horizon qui se répète, un horizon plat et un champ de vision étroit sont difficiles à orienter. La probabilité ne classe que faiblement les lieux et les directions, car la plupart des photos échouent à cause des nuages, des arbres et des pentes proches, que le MNT ne montre pas.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

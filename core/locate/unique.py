@@ -2,7 +2,9 @@
 
 A stretch of the horizon as wide as the field of view is compared with the horizon in every other direction, after the
 best shift and tilt, since pitch and roll are not known. If some other stretch is alike within the tolerance that the
-errors of DEM and position ask for, a matcher cannot tell the two apart. The tolerance is wide for near terrain.
+errors of picture, DEM and position ask for, a matcher cannot tell the two apart. A regression, fitted by
+`tools/fit_orientability.py` on photographs and simulated scenes, turns this and the relief in the frame, the number of
+DEM cells across it and the field of view into the probability that a photograph is oriented right.
 """
 
 from __future__ import annotations
@@ -21,6 +23,15 @@ SAME_DEG = 3.0
 
 LARGEST_ERROR_DEG = 30.0
 
+PICTURE_WIDTH_PX = 512
+"""Width of the picture in which `UniqueOptions.picture_px` is counted [pixels]."""
+
+LARGEST_STANDARD = 3.0
+"""Quantities farther than this from their mean count as this far [standard deviations]."""
+
+LEAST_KNOWN = 0.8
+"""Smallest share of the frame in which the horizon must be known."""
+
 
 @dataclass(frozen=True)
 class UniqueOptions:
@@ -30,8 +41,8 @@ class UniqueOptions:
     ----------
     step_deg : float
         Step of the directions [degrees].
-    angle_deg : float
-        Error of the skyline in the picture and of the lens [degrees].
+    picture_px : float
+        Error of the skyline in a picture `PICTURE_WIDTH_PX` wide, and of the lens [pixels].
     terrain_error_cells : float
         Error of the horizon's height in cells of the DEM.
     position_error_m : float
@@ -41,19 +52,56 @@ class UniqueOptions:
     cap : float
         Largest misfit of one azimuth that counts [standard deviations].
     effective_columns : float
-        Number of independent groups of columns in a picture.
+        Number of independent groups of columns in a picture, for the expected error.
+    twin_columns : float
+        The same for twins: large, so that only directions that fit closely share a probability.
     floor_deg : float
         Error of a heading that remains in any case [degrees].
     """
 
     step_deg: float = 1.0
-    angle_deg: float = 0.15
+    picture_px: float = 2.0
     terrain_error_cells: float = 0.25
     position_error_m: float = 8.0
     ground_slope: float = 0.5
     cap: float = 3.0
     effective_columns: float = 15.0
+    twin_columns: float = 100.0
     floor_deg: float = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Traits:
+    """What decides whether a photograph can be oriented, for every direction; NaN where the horizon is not known.
+
+    Attributes
+    ----------
+    heading_deg : (H,) array
+        Clockwise from true north [degrees].
+    hfov_deg : float
+        Horizontal field of view [degrees].
+    known_share : (H,) array
+        Share of the frame in which the horizon is known.
+    relief_deg : (H,) array
+        Spread of the horizon in the frame about a straight line [degrees].
+    cells : (H,) array
+        Number of DEM cells across the frame at the median distance of the horizon.
+    gap : (H,) array
+        Misfit of the best other direction, root mean square with a cap [tolerances].
+    twins : (H,) array
+        Number of other directions that fit as well; one that fits less well counts less.
+    error_deg : (H,) array
+        Expected error of the heading if it is the right one [degrees].
+    """
+
+    heading_deg: np.ndarray
+    hfov_deg: float
+    known_share: np.ndarray
+    relief_deg: np.ndarray
+    cells: np.ndarray
+    gap: np.ndarray
+    twins: np.ndarray
+    error_deg: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +113,7 @@ class Orientability:
     heading_deg : (H,) array
         Clockwise from true north [degrees].
     probability : (H,) array
-        That a photograph with a good skyline is oriented uniquely; NaN where the horizon is not known.
+        That a photograph is oriented right, within `SAME_DEG`; NaN where the horizon is not known.
     error_deg : (H,) array
         Expected error of its heading if it is [degrees].
     relief_deg : (H,) array
@@ -98,7 +146,7 @@ class Orientability:
 
 @lru_cache(maxsize=1)
 def table():
-    """Read the shipped weights: from the ambiguity, the relief and the field of view to a probability."""
+    """Read the shipped weights: from the quantities of `features_of` to a probability."""
     return json.loads(TABLE_PATH.read_text(encoding="utf-8"))
 
 
@@ -119,18 +167,24 @@ def orientability(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOpt
     -------
     Orientability
     """
-    ambiguity, error, relief, heading = ambiguities(elevation_deg, distance_m, hfov_deg, cell_m, options)
-    return Orientability(heading, probability_of(ambiguity, relief, hfov_deg), error, relief)
+    traits = traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options)
+    return Orientability(traits.heading_deg, probability_of(traits), traits.error_deg, traits.relief_deg)
 
 
 # parameters: a horizon, a lens, a DEM
-def ambiguities(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions()):  # noqa: B008 - frozen
-    """Weight of all other directions against each, its expected error and relief, and the directions; (H,) arrays.
+def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions(), only=None):  # noqa: B008 - frozen
+    """Describe the horizon in every direction of a place; see `Traits`.
 
     Parameters
     ----------
     elevation_deg, distance_m, hfov_deg, cell_m, options
         As for `orientability`.
+    only : (D,) int array or None
+        Numbers of the directions that are described, the rest stays NaN; None describes all.
+
+    Returns
+    -------
+    Traits
     """
     count = int(round(360 / options.step_deg))
     at = np.rint(np.arange(count) * len(elevation_deg) / count).astype(int) % len(elevation_deg)
@@ -139,53 +193,71 @@ def ambiguities(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptio
     distance = np.where(known, np.maximum(distance, cell_m), 1e5)
     angle = np.where(known, angle, 0.0)
     lift_m = np.hypot(options.terrain_error_cells * cell_m, options.ground_slope * options.position_error_m)
-    sigma = np.hypot(options.angle_deg, np.degrees(lift_m / distance))
+    picture_deg = hfov_deg * options.picture_px / PICTURE_WIDTH_PX
+    sigma = np.hypot(picture_deg, np.degrees(lift_m / distance))
     reach = max(int(round(hfov_deg / 2 / options.step_deg)), 2)
     offset = np.arange(-reach, reach + 1)
     around = (np.arange(count)[:, None] + offset) % count
     windows, weights = angle[around], np.where(known[around], 1 / sigma[around], 0.0)
     slope = (np.roll(angle, -1) - np.roll(angle, 1)) / (2 * options.step_deg)
-    ambiguity, error, relief = np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan)
+    found = {name: np.full(count, np.nan) for name in ("relief_deg", "cells", "gap", "twins", "error_deg")}
     other_deg = np.abs((np.arange(count) * options.step_deg + 180) % 360 - 180)
-    for first in np.flatnonzero((weights > 0).mean(axis=1) > 0.8):
+    share = known[around].mean(axis=1)
+    wanted = np.arange(count) if only is None else np.asarray(only)
+    for first in wanted[share[wanted] > LEAST_KNOWN]:
         weight = weights[first]
         basis = np.linalg.qr(np.column_stack([weight, weight * offset]))[0]
         misfit = weight * (windows - windows[first])
         misfit -= (misfit @ basis) @ basis.T
         mean = np.minimum(np.square(misfit), options.cap**2).mean(axis=1)
-        likelihood = np.exp(-0.5 * options.effective_columns * mean)
         # Neighbouring directions fit together; only the best of each group is an answer of its own.
         peak = (mean <= np.roll(mean, 1)) & (mean <= np.roll(mean, -1))
         away = np.roll(other_deg, first) > SAME_DEG
-        ambiguity[first] = likelihood[peak & away].sum()
+        found["twins"][first] = np.exp(-0.5 * options.twin_columns * mean[peak & away]).sum()
+        found["gap"][first] = np.sqrt(mean[away].min())
         steep = weight * slope[around[first]]
         steep = steep - basis @ (basis.T @ steep)
         information = options.effective_columns * np.mean(np.square(steep))
         far_m = float(np.median(distance[around[first]]))
         shift_deg = np.degrees(np.hypot(options.position_error_m, options.terrain_error_cells * cell_m) / far_m)
-        error[first] = min(np.sqrt(1 / max(information, 1e-6) + shift_deg**2 + options.floor_deg**2), LARGEST_ERROR_DEG)
+        error_deg = np.sqrt(1 / max(information, 1e-6) + shift_deg**2 + options.floor_deg**2)
+        found["error_deg"][first] = min(error_deg, LARGEST_ERROR_DEG)
         line = np.polyval(np.polyfit(offset, windows[first], 1), offset)
-        relief[first] = float(np.std(windows[first] - line))
-    return ambiguity, error, relief, np.arange(count) * options.step_deg
+        found["relief_deg"][first] = np.std(windows[first] - line)
+        found["cells"][first] = np.radians(hfov_deg) * far_m / cell_m
+    return Traits(np.arange(count) * options.step_deg, float(hfov_deg), known_share=share, **found)
 
 
-def probability_of(ambiguity, relief_deg, hfov_deg, weights=None):
-    """Probability of a unique answer.
+def features_of(traits):
+    """Return the quantities of the regression, each (H,), in which more is easier; the keys are those of the table."""
+    return {
+        "log_relief": np.log(np.maximum(traits.relief_deg, 0.02)),
+        "log_cells": np.log(np.maximum(traits.cells, 1.0)),
+        "gap": traits.gap,
+        "log_hfov": np.full(len(traits.gap), np.log(traits.hfov_deg)),
+    }
+
+
+def probability_of(traits, weights=None):
+    """Probability that a photograph is oriented right.
+
+    The regression says whether the picture shows enough. Directions that fit as well share what it promises, so that
+    the probability on a horizon of four equal peaks is at most a quarter.
 
     Parameters
     ----------
-    ambiguity, relief_deg : arrays
-        From `ambiguities`.
-    hfov_deg : float
-        Horizontal field of view [degrees].
+    traits : Traits
     weights : mapping or None
         None takes the shipped ones.
+
+    Returns
+    -------
+    (H,) array
     """
     weights = weights or table()
-    total = (
-        weights["bias"]
-        + weights["log_unique"] * np.log(1 / (1 + np.asarray(ambiguity)))
-        + weights["log_relief"] * np.log(np.maximum(relief_deg, 0.02))
-        + weights["log_hfov"] * np.log(np.asarray(hfov_deg, float))
-    )
-    return 1 / (1 + np.exp(-total))
+    total = np.full(len(traits.gap), float(weights["bias"]))
+    for name, value in features_of(traits).items():
+        entry = weights["features"][name]
+        standard = np.clip((value - entry["mean"]) / entry["spread"], -LARGEST_STANDARD, LARGEST_STANDARD)
+        total = total + entry["weight"] * standard
+    return 1 / (1 + np.exp(-total)) / (1 + traits.twins)
