@@ -12,6 +12,7 @@ import argparse
 import json
 import sys
 import time
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -75,9 +76,10 @@ def measure(data, folder, line, kind, narrowest_deg):
     longitude, latitude = metadata.longitude_deg, metadata.latitude_deg
     if longitude is None or (longitude, latitude) == (0, 0):
         longitude, latitude = line["longitude_deg"], line["latitude_deg"]
-    if request.hfov_deg is None and request.focal_length_35mm is None and metadata.focal_length_35mm is None:
+    metadata = replace(metadata, focal_length_35mm=request.focal_length_35mm or metadata.focal_length_35mm)
+    if request.hfov_deg is None and metadata.focal_length_35mm is None:
         return None
-    hfov = camera_prior(metadata, request.hfov_deg).camera.hfov_deg if request.focal_length_35mm is None else 60.0
+    hfov = camera_prior(metadata, request.hfov_deg).camera.hfov_deg
     if hfov < narrowest_deg:
         return None
     home = REGIONS.get(folder.name, folder.name)

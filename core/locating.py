@@ -129,11 +129,9 @@ def locate(photo, evidence, lens_prior, terrain, options=LocateOptions(), known=
     weight = np.zeros(len(index)) if known.log_weight is None else known.log_weight / worth
     pictures = hypotheses(evidence, prior.camera, options.picture, log_focals)
     coarse = compare(index, pictures, options.picture, belief, subtask(progress, 0.0, 0.4), options.coarse)
-    wanted = coarse.score + weight
-    usable = np.flatnonzero(np.isfinite(wanted))
-    best = usable[np.argsort(-wanted[usable], kind="stable")[: options.fit.places]]
-    fitted = fit_places(problem, index, best, coarse.trial[best], options.fit, subtask(progress, 0.4, 0.7))
-    fitted = fitted.plus(weight[fitted.source] + log_ratio(known.heading_prior, fitted.trial[:, 0]) / worth)
+    places, trials = coarse.best(options.fit.places, weight)
+    fitted = fit_places(problem, index, places, trials, options.fit, subtask(progress, 0.4, 0.7))
+    fitted = fitted.plus(weight[fitted.source] + log_ratio(known.heading_prior, fitted.trial[:, 0]) / worth).once()
     starts = fitted.take(distinct(fitted, options.fit.separation_m, options.fit.stages[0][1]))
     horizons_of = partial(horizons_at, dem, options)
     moved = move(problem, horizons_of, starts, index.spacing_m, options.fit, subtask(progress, 0.7, 1.0))

@@ -21,7 +21,7 @@ CHUNK = 16
 
 @dataclass(frozen=True)
 class CoarseOptions:
-    """Spread of a horizon's elevation angle.
+    """Spread of a horizon's elevation angle, and how many headings are kept.
 
     Attributes
     ----------
@@ -31,31 +31,57 @@ class CoarseOptions:
         Error of the eye's height above or below the horizon's terrain, as a share of the distance between places.
     nearest_m : float
         Horizons nearer than this count as this far away [m].
+    headings : int
+        Number of headings that are kept at each place: a rolled picture may fit better in a wrong direction.
+    apart_deg : float
+        Smallest angle between two of them [degrees].
     """
 
     angle_deg: float = 0.15
     height_share: float = 0.12
     nearest_m: float = 100.0
+    headings: int = 3
+    apart_deg: float = 8.0
 
 
 @dataclass(frozen=True, eq=False)
 class CoarsePlaces:
-    """The best pose at each of P places.
+    """The best poses at each of P places, one for each of H headings, the best of them first.
 
     Attributes
     ----------
-    score : (P,) array
+    scores : (P, H) array
         Mean over the picture's columns, higher is better.
-    trial : (P, 5) array
+    trials : (P, H, 5) array
         Heading, pitch, roll [degrees], logarithm of the focal length relative to the camera's, 0.
     """
 
-    score: np.ndarray
-    trial: np.ndarray
+    scores: np.ndarray
+    trials: np.ndarray
+
+    @property
+    def score(self):
+        """Score of the best pose at each place (P,)."""
+        return self.scores[:, 0]
+
+    @property
+    def trial(self):
+        """The best pose at each place (P, 5)."""
+        return self.trials[:, 0]
+
+    def best(self, count, gain):
+        """Places (K,) and poses (K, 5) of the best scores, after adding `gain` (P,) to those of each place; best first.
+
+        A place occurs once for each of its headings among them; a gain of -inf excludes a place.
+        """
+        wanted = (self.scores + gain[:, None]).ravel()
+        usable = np.flatnonzero(np.isfinite(wanted))
+        chosen = usable[np.argsort(-wanted[usable], kind="stable")[:count]]
+        return chosen // self.scores.shape[1], self.trials.reshape(-1, 5)[chosen]
 
 
 def compare(index, pictures, options, belief=None, progress=SILENT, coarse=CoarseOptions()):  # noqa: B008 - frozen
-    """Find the best pose at every place.
+    """Find the best poses at every place.
 
     Parameters
     ----------
@@ -77,29 +103,36 @@ def compare(index, pictures, options, belief=None, progress=SILENT, coarse=Coars
     if stride * headings != index.elevation.shape[1]:
         raise ValueError(f"an index of {index.elevation.shape[1]} azimuths has no step of {options.step_deg} degrees")
     synthesis = _synthesis(options)
-    score, trial = np.full(len(index), -np.inf), np.zeros((len(index), 5))
+    scores = np.full((len(index), coarse.headings), -np.inf)
+    trials = np.zeros((len(index), coarse.headings, 5))
     for first in range(0, len(index), CHUNK):
         checkpoint(progress, first / len(index))
         places = slice(first, min(first + CHUNK, len(index)))
         spectra = _spectra(index, places, stride, options, coarse)
-        for picture in pictures:
+        value = np.full((len(spectra), headings), -np.inf, np.float32)
+        row, which = np.zeros(value.shape, int), np.zeros(value.shape, int)
+        for number, picture in enumerate(pictures):
             around = fft.ifft(spectra * picture.spectrum, axis=2)
             parts = np.concatenate([around.real, around.imag], axis=1)
             table = np.matmul(synthesis, parts) + np.float32(picture.constant)
-            if belief is not None:
-                table += np.asarray(belief, np.float32)
-            flat = table.reshape(len(table), -1)
-            best = flat.argmax(axis=1)
-            value = flat[np.arange(len(flat)), best]
-            better = np.flatnonzero(value > score[places])
-            row, heading = np.divmod(best[better], headings)
-            at = first + better
-            score[at] = value[better]
-            trial[at, 0] = heading * options.step_deg
-            trial[at, 1] = picture.pitch_deg - _shift_deg(row, len(synthesis), options)
-            trial[at, 2], trial[at, 3] = picture.roll_deg, picture.log_focal
+            highest = table.max(axis=1)
+            better = highest > value
+            row[better], which[better] = table.argmax(axis=1)[better], number
+            value[better] = highest[better]
+        if belief is not None:
+            value += np.asarray(belief, np.float32)
+        poses = np.array([(p.pitch_deg, p.roll_deg, p.log_focal) for p in pictures])
+        apart = int(round(coarse.apart_deg / options.step_deg))
+        every = np.arange(len(value))
+        for rank in range(coarse.headings):
+            best = value.argmax(axis=1)
+            scores[places, rank] = value[every, best]
+            trials[places, rank, 0] = best * options.step_deg
+            trials[places, rank, 1:4] = poses[which[every, best]]
+            trials[places, rank, 1] -= _shift_deg(row[every, best], len(synthesis), options)
+            value[every[:, None], (best[:, None] + np.arange(-apart, apart + 1)) % headings] = -np.inf
     checkpoint(progress, 1.0)
-    return CoarsePlaces(score, trial)
+    return CoarsePlaces(scores, trials)
 
 
 def _synthesis(options):

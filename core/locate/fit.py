@@ -16,7 +16,6 @@ CHUNK = 256
 RING = np.array([(0.0, 0.0), *((np.cos(a), np.sin(a)) for a in np.arange(8) * np.pi / 4)])
 """Displacements that are tried around a place, in steps: none, and eight directions."""
 
-
 LIFTED = 3
 """Number of the best places at which further heights of the eye are tried."""
 
@@ -33,7 +32,7 @@ class FitOptions:
     Attributes
     ----------
     places : int
-        Number of the best places of the coarse search that are fitted with the robust likelihood.
+        Number of the best places and headings of the coarse search that are fitted with the robust likelihood.
     scales : tuple of float
         Tolerances of that fit, as multiples of the expected tolerance.
     place_error : float
@@ -48,7 +47,7 @@ class FitOptions:
         Error of a moved place, as a share of the step.
     """
 
-    places: int = 600
+    places: int = 1000
     scales: tuple = (3.0, 1.5, 1.0)
     place_error: float = 0.3
     separation_m: float = 700.0
@@ -95,6 +94,10 @@ class FittedPlaces:
         """The places with `gain` (K,) added to their scores, best first again."""
         moved = replace(self, score=self.score + gain)
         return moved.take(np.argsort(-moved.score, kind="stable"))
+
+    def once(self):
+        """The places with only the best pose of each; best first."""
+        return self.take(np.sort(np.unique(self.source, return_index=True)[1]))
 
 
 def fit_places(problem, index, places, trials, options=FitOptions(), progress=SILENT):  # noqa: B008 - frozen
@@ -168,13 +171,7 @@ def distinct(found, separation_m, count):
 
 
 def distance_m(found, place, other):
-    """Ground distance between two places [m], exact enough within an area.
-
-    Parameters
-    ----------
-    found : FittedPlaces
-    place, other : int
-    """
+    """Ground distance between two of the places of a `FittedPlaces` by their indices [m], exact enough in an area."""
     north = (found.latitude_deg[place] - found.latitude_deg[other]) * METRES_PER_DEGREE
     east = (found.longitude_deg[place] - found.longitude_deg[other]) * METRES_PER_DEGREE
     return float(np.hypot(east * np.cos(np.radians(found.latitude_deg[place])), north))

@@ -81,3 +81,9 @@ def test_scores_that_are_raised_are_sorted_anew():
 def test_the_curves_of_profiles_know_where_the_dem_ends():
     curves = curves_of(horizons_of([8.0, 8.1], [46.0, 46.0], np.nan))
     assert len(curves.distance_m) == 8 and not curves.clipped.any()
+
+
+def test_a_place_counts_once_with_its_best_pose():
+    found = places([8.0, 8.1, 8.0, 8.2], [46.0] * 4, [4.0, 3.0, 2.0, 1.0])
+    found = FittedPlaces(np.array([7, 3, 7, 1]), *(getattr(found, name) for name in list(vars(found))[1:]))
+    assert found.once().source.tolist() == [7, 3, 1] and found.once().score.tolist() == [4.0, 3.0, 1.0]
