@@ -17,7 +17,7 @@ def photos_in(folder, recursive, feedback):
 
     if not Path(folder).is_dir():
         raise QgsProcessingException(tr("The folder {folder} does not exist.").format(folder=folder))
-    paths, skipped = scan_folder(folder, recursive)
+    paths, skipped = scan_folder(Path(folder).absolute(), recursive)  # layers are opened from other folders
     if skipped:
         kinds = ", ".join(f"{suffix or tr('without suffix')} ({count})" for suffix, count in skipped.items())
         feedback.pushInfo(tr("Files that were not read as photographs: {kinds}").format(kinds=kinds))

@@ -43,7 +43,7 @@ def position_doubt(orientation: Orientation, position_error_m: float) -> Message
 
 
 def doubted(orientation: Orientation, doubt: Message | None, keep_interval: bool = False) -> Orientation:
-    """Turn an accepted answer into an ambiguous one if there is a doubt.
+    """Turn an accepted answer into an ambiguous one if there is a doubt, and limit the certainty of an ambiguous one.
 
     Parameters
     ----------
@@ -58,8 +58,9 @@ def doubted(orientation: Orientation, doubt: Message | None, keep_interval: bool
     Orientation
         With the doubt as its message, and without an interval unless that is kept.
     """
-    if doubt is None or orientation.status != "accepted":
-        return orientation
     probability = min(orientation.p_correct or 0.0, DOUBTED_PROBABILITY)
+    certain = orientation.status == "ambiguous" and probability < (orientation.p_correct or 0.0)
+    if doubt is None or not (orientation.status == "accepted" or certain):
+        return orientation
     changed = replace(orientation, status="ambiguous", message=doubt, p_correct=probability)
     return changed if keep_interval else replace(changed, heading_lo_deg=None, heading_hi_deg=None)

@@ -16,11 +16,8 @@ CHUNK = 256
 RING = np.array([(0.0, 0.0), *((np.cos(a), np.sin(a)) for a in np.arange(8) * np.pi / 4)])
 """Displacements that are tried around a place, in steps: none, and eight directions."""
 
-LIFTED = 3
-"""Number of the best places at which further heights of the eye are tried."""
-
-LEAST_LIFT = 0.1
-"""A height of the eye counts if it gains more than this in score."""
+LIFTED, LEAST_LIFT = 3, 0.1
+"""Number of the best places at which further heights of the eye are tried, and the least gain in score that counts."""
 
 LIFT_ERROR_M = 15.0
 
@@ -171,7 +168,13 @@ def distinct(found, separation_m, count):
 
 
 def distance_m(found, place, other):
-    """Ground distance between two of the places of a `FittedPlaces` by their indices [m], exact enough in an area."""
+    """Ground distance between two places [m], exact enough within an area.
+
+    Parameters
+    ----------
+    found : FittedPlaces
+    place, other : int
+    """
     north = (found.latitude_deg[place] - found.latitude_deg[other]) * METRES_PER_DEGREE
     east = (found.longitude_deg[place] - found.longitude_deg[other]) * METRES_PER_DEGREE
     return float(np.hypot(east * np.cos(np.radians(found.latitude_deg[place])), north))

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from ..base.curves import correlation, sharpness
+from ..base.doubt import DOUBTED_PROBABILITY
 from ..base.messages import Message
 from ..base.model import Candidate, Orientation
 from ..base.progress import SILENT, subtask
@@ -121,7 +122,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         candidates,
         heading_lo_deg=lo,
         heading_hi_deg=hi,
-        p_correct=found.right,
+        p_correct=min(found.right, DOUBTED_PROBABILITY) if objection else found.right,
         curve_heading_deg=curve[0],
         curve_score=curve[1],
         ncc=ncc,

@@ -142,6 +142,7 @@ def test_an_answer_across_a_skyline_that_says_otherwise_is_not_accepted(match_sc
     found = solve(replace(scene, evidence=replace(scene.evidence, best=upside_down)))
     assert solve(scene).status == "accepted"
     assert found.status == "ambiguous" and "does not follow the skyline" in found.message
+    assert found.p_correct <= 0.5
     assert found.best == solve(scene).best
 
 
