@@ -98,6 +98,17 @@ def shell_environment(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def provider(qgis_app, qgis_processing):
+    """Our provider, registered once as the plugin does it; a second one of the same id would delete the first."""
+    from skyline_viewshed import classFactory
+
+    plugin = classFactory(None)
+    plugin.initProcessing()
+    yield plugin.provider
+    plugin.unload()
+
+
+@pytest.fixture(scope="session")
 def qgis_process(shell_environment):
     """Run qgis_process with arguments and return the finished process."""
     if shutil.which("qgis_process", path=shell_environment["PATH"]) is None:

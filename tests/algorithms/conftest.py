@@ -6,17 +6,6 @@ import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
 
 
-@pytest.fixture(scope="session")
-def provider(qgis_app, qgis_processing):
-    """Our provider, registered as the plugin does it."""
-    from skyline_viewshed import classFactory
-
-    plugin = classFactory(None)
-    plugin.initProcessing()
-    yield plugin.provider
-    plugin.unload()
-
-
 @pytest.fixture
 def algorithm(provider):
     """Give an algorithm of ours by its id."""

@@ -11,17 +11,6 @@ from qgis.core import QgsProject, QgsRasterLayer, QgsRectangle, QgsSettings, Qgs
 from qgis.PyQt.QtTest import QTest
 
 
-@pytest.fixture(scope="session")
-def provider(qgis_app, qgis_processing):
-    """Our provider, registered as the plugin does it."""
-    from skyline_viewshed import classFactory
-
-    plugin = classFactory(None)
-    plugin.initProcessing()
-    yield plugin.provider
-    plugin.unload()
-
-
 @pytest.fixture
 def photos(scene, tmp_path):
     """The layer's file, in a folder of its own, where landmarks and masks go too."""
