@@ -31,7 +31,7 @@ ANSWERED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 TO_OPTIONS = {
     "Give longitude_deg and latitude_deg.": "Give it by --position.",
     "hfov_deg": "--hfov",
-    "eye_elevation_m": "--eye-elevation", "DEM_UNIT": "--dem-unit",
+    "eye_elevation_m": "--eye-elevation", "DEM_UNIT": "--dem-unit", "(COMPASS)": "(--compass prior)",
 }  # fmt: skip
 """What messages call the arguments of functions, and what the options are called."""
 

@@ -6303,6 +6303,41 @@
         <translation>Landmarke {number} liegt außerhalb des Blickfelds, ihr Azimut weicht um {count} Grad von der Blickrichtung ab. Prüfen Sie die Landmarke und die Position.</translation>
     </message>
     <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>Die Horizontlinie entscheidet nicht über die Blickrichtung, deshalb wird die ungefähre Richtung zurückgegeben. Prüfen Sie die Überlagerung oder geben Sie eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The mirror image of the photo fits the DEM better than the photo itself. If it was flipped (a slide scanned from the wrong side), flip it back and run again; else check the overlay.</source>
+        <translation>Das Spiegelbild des Fotos passt besser zum DGM als das Foto selbst. Wenn es seitenverkehrt ist (ein von der falschen Seite gescanntes Dia), spiegeln Sie es zurück und starten Sie neu; andernfalls prüfen Sie die Überlagerung.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>Nach dem DGM ist die deutlichste Linie im Bild ein naher Grat; als Horizontlinie wurde die schwächere Linie dahinter verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>In {share} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist. Verwenden Sie ein größeres DGM, damit die Blickrichtung sicherer wird.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The photo's compass says {heading} degrees and took no part. If you trust it, use it as a hint (COMPASS).</source>
+        <translation>Der Kompass des Fotos zeigt {heading} Grad und wurde nicht berücksichtigt. Wenn Sie ihm vertrauen, verwenden Sie ihn als Hinweis (COMPASS).</translation>
+    </message>
+    <message>
         <location filename="../core/match/posterior.py"/>
         <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>Der Horizont ist hier fast gerade und passt zu vielen Blickrichtungen. Geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
@@ -6334,43 +6369,13 @@
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
-        <translation>Der Kompass des Fotos zeigt {heading} Grad; das widerspricht der gefundenen Blickrichtung. Prüfen Sie die Überlagerung, lassen Sie den Kompass mitwirken, oder geben Sie eine ungefähre Blickrichtung an.</translation>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, use the compass as a hint (COMPASS), or give an approximate heading.</source>
+        <translation>Der Kompass des Fotos zeigt {heading} Grad; das widerspricht der gefundenen Blickrichtung. Prüfen Sie die Überlagerung, verwenden Sie den Kompass als Hinweis (COMPASS), oder geben Sie eine ungefähre Blickrichtung an.</translation>
     </message>
     <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>Das Foto hat keine kleinbildäquivalente Brennweite. Geben Sie den horizontalen Bildwinkel in HFOV_FIELD an.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
-        <translation>Die Horizontlinie entscheidet nicht über die Blickrichtung, deshalb wird die ungefähre Richtung zurückgegeben. Prüfen Sie die Überlagerung oder geben Sie eine Landmarke, eine gezeichnete Horizontlinie oder eine Himmelsmaske an.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
-        <translation>Nach dem DGM ist die deutlichste Linie im Bild ein naher Grat; als Horizontlinie wurde die schwächere Linie dahinter verwendet.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
-        <translation>Der Kompass des Fotos zeigt {heading} Grad; er wurde nicht berücksichtigt. Lassen Sie ihn mitwirken, wenn Sie ihm vertrauen.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
-        <translation>In {share} % des Bildes endet das DGM oder hat Lücken, bevor höheres Gelände ausgeschlossen ist. Verwenden Sie ein größeres DGM, damit die Blickrichtung sicherer wird.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Kaum eine Spalte des Bildes zeigt eine Grenze zwischen Himmel und Gelände. Verwenden Sie ein Foto mit einer Horizontlinie, oder geben Sie eine Himmelsmaske oder eine gezeichnete Horizontlinie an.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Das DGM hat um diese Position kein Gelände. Verwenden Sie ein DGM, das weiter reicht.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>

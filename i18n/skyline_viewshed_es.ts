@@ -6303,6 +6303,41 @@
         <translation>El punto de referencia {number} está fuera de la vista, con un acimut a {count} grados del rumbo. Compruebe el punto de referencia y la posición.</translation>
     </message>
     <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>La línea del horizonte no decide el rumbo, por lo que se devuelve el rumbo aproximado. Compruebe la superposición, o indique un punto de referencia, una línea del horizonte dibujada o una máscara de cielo.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The mirror image of the photo fits the DEM better than the photo itself. If it was flipped (a slide scanned from the wrong side), flip it back and run again; else check the overlay.</source>
+        <translation>La imagen especular de la foto se ajusta al MDE mejor que la propia foto. Si está invertida (una diapositiva escaneada por el lado equivocado), inviértala y vuelva a ejecutar; si no, compruebe la superposición.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>Según el MDE, la línea más marcada de la imagen es una cresta cercana; como línea del horizonte se usó la más débil que hay detrás.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>En el {share} % de la imagen el MDE termina o tiene vacíos antes de que se pueda descartar terreno más alto. Use un MDE mayor para que el rumbo sea más seguro.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The photo's compass says {heading} degrees and took no part. If you trust it, use it as a hint (COMPASS).</source>
+        <translation>La brújula de la foto indica {heading} grados y no se ha tenido en cuenta. Si confía en ella, úsela como indicio (COMPASS).</translation>
+    </message>
+    <message>
         <location filename="../core/match/posterior.py"/>
         <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>El horizonte es aquí casi recto y encaja con muchos rumbos. Dé un rumbo aproximado o un punto de referencia.</translation>
@@ -6334,43 +6369,13 @@
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
-        <translation>La brújula de la foto indica {heading} grados, lo que contradice el rumbo hallado. Compruebe la superposición, deje que la brújula intervenga o indique un rumbo aproximado.</translation>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, use the compass as a hint (COMPASS), or give an approximate heading.</source>
+        <translation>La brújula de la foto indica {heading} grados, lo que contradice el rumbo hallado. Compruebe la superposición, use la brújula como indicio (COMPASS) o indique un rumbo aproximado.</translation>
     </message>
     <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>La foto no tiene distancia focal (equivalente en 35 mm). Dé el ángulo de visión horizontal en HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
-        <translation>La línea del horizonte no decide el rumbo, por lo que se devuelve el rumbo aproximado. Compruebe la superposición, o indique un punto de referencia, una línea del horizonte dibujada o una máscara de cielo.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
-        <translation>Según el MDE, la línea más marcada de la imagen es una cresta cercana; como línea del horizonte se usó la más débil que hay detrás.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
-        <translation>La brújula de la foto indica {heading} grados; no se ha tenido en cuenta. Deje que intervenga si confía en ella.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
-        <translation>En el {share} % de la imagen el MDE termina o tiene vacíos antes de que se pueda descartar terreno más alto. Use un MDE mayor para que el rumbo sea más seguro.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Casi ninguna columna de la imagen muestra un límite entre cielo y terreno. Use una foto con una línea del horizonte, o aporte una máscara del cielo o una línea dibujada.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>El MDE no tiene terreno alrededor de esta posición. Use un MDE que llegue más lejos.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>

@@ -6303,6 +6303,41 @@
         <translation>Le point de repère {number} est hors du champ, son azimut s'écarte de {count} degrés de celui de la prise de vue. Vérifiez le point de repère et la position.</translation>
     </message>
     <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
+        <translation>La ligne d'horizon ne détermine pas l'azimut ; l'azimut approximatif est donc repris. Vérifiez la superposition, ou indiquez un point de repère, une ligne d'horizon dessinée ou un masque de ciel.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The mirror image of the photo fits the DEM better than the photo itself. If it was flipped (a slide scanned from the wrong side), flip it back and run again; else check the overlay.</source>
+        <translation>L'image miroir de la photo correspond mieux au MNT que la photo elle-même. Si elle est inversée (une diapositive numérisée du mauvais côté), retournez-la et relancez ; sinon, vérifiez la superposition.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
+        <translation>D'après le MNT, la ligne la plus nette de l'image est une crête proche ; la ligne plus faible derrière elle a été utilisée comme ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
+        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
+        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
+        <translation>Dans {share} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu. Utilisez un MNT plus étendu pour rendre l'azimut plus sûr.</translation>
+    </message>
+    <message>
+        <location filename="../core/match/notes.py"/>
+        <source>The photo's compass says {heading} degrees and took no part. If you trust it, use it as a hint (COMPASS).</source>
+        <translation>La boussole de la photo indique {heading} degrés et n'a pas été prise en compte. Si vous lui faites confiance, utilisez-la comme indice (COMPASS).</translation>
+    </message>
+    <message>
         <location filename="../core/match/posterior.py"/>
         <source>The horizon is almost straight here, so it fits many headings. Give an approximate heading or a landmark.</source>
         <translation>L'horizon est ici presque droit et convient à beaucoup d'azimuts. Donnez un azimut approché ou un point de repère.</translation>
@@ -6334,43 +6369,13 @@
     </message>
     <message>
         <location filename="../core/match/posterior.py"/>
-        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the compass take part, or give an approximate heading.</source>
-        <translation>La boussole de la photo indique {heading} degrés, ce qui contredit l'azimut trouvé. Vérifiez la superposition, laissez la boussole intervenir ou indiquez un azimut approximatif.</translation>
+        <source>The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, use the compass as a hint (COMPASS), or give an approximate heading.</source>
+        <translation>La boussole de la photo indique {heading} degrés, ce qui contredit l'azimut trouvé. Vérifiez la superposition, utilisez la boussole comme indice (COMPASS) ou indiquez un azimut approximatif.</translation>
     </message>
     <message>
         <location filename="../core/match/prior.py"/>
         <source>The photo has no focal length (35 mm equivalent). Give the horizontal field of view in HFOV_FIELD.</source>
         <translation>La photo n'a pas de focale (équivalente 35 mm). Donnez l'angle de champ horizontal dans HFOV_FIELD.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a landmark, a drawn skyline or a sky mask.</source>
-        <translation>La ligne d'horizon ne détermine pas l'azimut ; l'azimut approximatif est donc repris. Vérifiez la superposition, ou indiquez un point de repère, une ligne d'horizon dessinée ou un masque de ciel.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line behind it was used as the skyline.</source>
-        <translation>D'après le MNT, la ligne la plus nette de l'image est une crête proche ; la ligne plus faible derrière elle a été utilisée comme ligne d'horizon.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.</source>
-        <translation>La boussole de la photo indique {heading} degrés ; elle n'a pas été prise en compte. Laissez-la intervenir si vous lui faites confiance.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use a larger DEM to make the heading more certain.</source>
-        <translation>Dans {share} % de l'image, le MNT s'arrête ou a des lacunes avant qu'un terrain plus haut puisse être exclu. Utilisez un MNT plus étendu pour rendre l'azimut plus sûr.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, or supply a sky mask or a drawn skyline.</source>
-        <translation>Presque aucune colonne de l'image ne montre de limite entre ciel et terrain. Utilisez une photo avec une ligne d'horizon, ou fournissez un masque de ciel ou une ligne d'horizon dessinée.</translation>
-    </message>
-    <message>
-        <location filename="../core/match/robust.py"/>
-        <source>The DEM has no terrain around this position. Use a DEM that reaches farther.</source>
-        <translation>Le MNT n'a pas de terrain autour de cette position. Utilisez un MNT qui va plus loin.</translation>
     </message>
     <message>
         <location filename="../core/paper/match.py"/>

@@ -87,6 +87,31 @@ class MatchInputs:
         """Inputs with the evidence's rival, the fainter line behind the most prominent one, as their evidence."""
         return replace(self, evidence=self.evidence.rival)
 
+    def mirrored(self, eye):
+        """Return the inputs of the picture's mirror image, seen by one of the eyes and without any hint of a heading.
+
+        Parameters
+        ----------
+        eye : Eye
+        """
+        known = {"horizon": eye.horizon, "inner": eye.inner, "other_eyes": ()}
+        return replace(self, evidence=_mirrored(self.evidence), heading_prior=None, landmarks=(), **known)
+
+
+def _mirrored(evidence):
+    """Evidence of the mirror image of a picture, without its rival."""
+    best, (top, bottom, left, right) = evidence.best, evidence.crop
+    maps = {name: getattr(evidence, name) for name in ("probability", "sky_score", "ridge_score", "thumbnail")}
+    leaves = evidence.leaves_frame
+    return replace(
+        evidence,
+        **{name: None if value is None else value[:, ::-1] for name, value in maps.items()},
+        leaves_frame=None if leaves is None else leaves[::-1],
+        best=replace(best, row_px=best.row_px[::-1], confidence=best.confidence[::-1]),
+        crop=(top, bottom, right, left),
+        rival=None,
+    )
+
 
 @dataclass(frozen=True)
 class EyeOptions:

@@ -229,7 +229,7 @@ def doubt(candidates, ncc, recorded_heading_deg, options=PosteriorOptions()):  #
     if weigh(probability, heading_deg, compass)[0] >= options.accept_at:
         return None
     return Message(
-        "The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, let the "
-        "compass take part, or give an approximate heading.",
+        "The photo's compass says {heading} degrees, which contradicts the heading found. Check the overlay, use "
+        "the compass as a hint (COMPASS), or give an approximate heading.",
         heading=f"{recorded_heading_deg:.0f}",
     )

@@ -220,7 +220,7 @@ class Objective:
         return np.einsum("km,kmj->kj", miss, jacobian), np.einsum("kmi,kmj->kij", jacobian, jacobian)
 
 
-def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
+def refine(objective, trials, scale, stride=1, progress=SILENT):
     """Climb from every trial to a maximum of its score at one tolerance scale.
 
     Parameters
@@ -232,8 +232,6 @@ def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
         Multiple of the expected tolerance.
     stride : int
         Only every `stride`-th column is used.
-    held : sequence of int
-        Indices in `geometry.PARAMETERS` of the parameters that stay fixed.
     progress : Progress
 
     Returns
@@ -245,7 +243,7 @@ def refine(objective, trials, scale, stride=1, held=(), progress=SILENT):
     score, gradient, curvature = objective.expand(trials, scale, stride)
     # The curvature counts every explained column in full and is about twice too large: start below it.
     stiffness = np.full(len(trials), 0.5)
-    free = np.setdiff1d(np.flatnonzero(objective.free), held)
+    free = np.flatnonzero(objective.free)
     iterations = objective.options.iterations
     for iteration in range(iterations):
         checkpoint(progress, iteration / iterations)

@@ -18,29 +18,17 @@ from ..base.progress import SILENT, subtask
 from .answers import Answers, judge
 from .finding import examine, pose_uncertainty, relief_px
 from .fitting import Scorer, fit
-from .geometry import HorizonCurve, horizon_rows, lens_of, pose_of
+from .geometry import HorizonCurve, lens_of, pose_of
 from .ground import GroundMatchOptions
 from .inner import InnerEvidence
 from .landmarks import landmark_notes, scale_landmarks, starting_pose
 from .likelihood import EDGE_ROW, EvidenceStack, LikelihoodOptions
+from .notes import BEHIND_NOTE, HINT_MESSAGE, MIRROR_MESSAGE, compass_note, edge_notes, refusal
 from .posterior import PosteriorOptions, doubt, interval, table, verdict
 from .prior import log_ratio
 from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
-
-HINT_MESSAGE = Message(
-    "The skyline does not decide the heading, so the approximate heading is given back. Check the overlay, or give a "
-    "landmark, a drawn skyline or a sky mask."
-)
-
-LEAST_COLUMNS_SHARE = 0.05
-"""Smallest share of columns with evidence for which a search is made."""
-
-BEHIND_NOTE = Message(
-    "According to the DEM, the most distinct line in the picture is a nearby crest; the fainter line "
-    "behind it was used as the skyline."
-)
 
 
 @dataclass(frozen=True)
@@ -95,27 +83,26 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         roll is positive with the right side down.
     """
     landmarks, full = inputs.landmarks, inputs.camera_prior.camera
-    refusal = _refusal(inputs.evidence, inputs.horizon, landmarks)
-    if refusal:
-        return Orientation("rejected", refusal)
+    hopeless = refusal(inputs.evidence, inputs.horizon, landmarks)
+    if hopeless:
+        return Orientation("rejected", hopeless)
     found, behind = _look(inputs, options, progress)
-    evidence = inputs.evidence.rival if behind else inputs.evidence
-    answers, probability, status = found.answers, found.probability, found.status
+    inputs = inputs.behind if behind else inputs
+    answers, probability = found.answers, found.probability
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
     candidates = tuple(
         Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
         for trial, value, share in zip(trials, score, probability)
     )
     curve = answers.curve()
-    residual, ncc = _skyline_residual(answers.objective, trials[:1], evidence, full)
-    objection = None
-    if status == "accepted" and not landmarks:
-        objection = doubt(candidates, ncc, inputs.recorded_heading_deg, options.posterior)
-    if objection:
-        status = "ambiguous"
+    residual, ncc = _skyline_residual(answers.objective, trials[:1], inputs.evidence, full)
+    objection = _objection(found, candidates, ncc, inputs, options)
+    status = "ambiguous" if objection else found.status
     # For an accepted answer the interval gives only its precision; p_correct gives its certainty.
     lo, hi = interval(finding, np.ones(1) if status == "accepted" else probability)
-    _, second = _skyline_residual(answers.objective, trials[1:2], evidence, full) if len(trials) > 1 else (None, None)
+    second = None
+    if len(trials) > 1:
+        _, second = _skyline_residual(answers.objective, trials[1:2], inputs.evidence, full)
     return Orientation(
         status,
         objection or found.message,
@@ -130,9 +117,9 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         sharpness=sharpness(answers.coarse.heading_deg, answers.coarse.score, candidates[0].pose.heading_deg),
         residual_px=residual,
         notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose)
-        + _edge_notes(answers)
+        + edge_notes(answers)
         + ((BEHIND_NOTE,) if behind else ())
-        + _compass_note(status, objection, inputs.recorded_heading_deg),
+        + compass_note(status, objection, inputs.recorded_heading_deg),
         behind=behind,
         eye=int(answers.eye[0]),
         uncertainty=pose_uncertainty(answers.objective, trials[0], answers.scale[0], answers.floor_deg),
@@ -148,6 +135,16 @@ class Judged:
     right: float
     status: str
     message: Message
+
+
+def _objection(found, candidates, ncc, inputs, options):
+    """Message that takes back an acceptance, or None; landmarks are a person's own check."""
+    if found.status != "accepted" or inputs.landmarks:
+        return None
+    objection = doubt(candidates, ncc, inputs.recorded_heading_deg, options.posterior)
+    if objection is None and mirror_fits_better(inputs, found.answers, options):
+        return MIRROR_MESSAGE
+    return objection
 
 
 def _look(inputs, options, progress):
@@ -175,46 +172,6 @@ def _judged(inputs, options, progress):
     return Judged(answers, probability, right, *says)
 
 
-def _compass_note(status, objection, recorded_heading_deg):
-    """Note that a compass heading might decide what the picture leaves open, unless the message says so already."""
-    if status == "accepted" or objection or recorded_heading_deg is None:
-        return ()
-    note = Message(
-        "The photo's compass says {heading} degrees; it took no part. Let it take part if you trust it.",
-        heading=f"{recorded_heading_deg:.0f}",
-    )
-    return (note,)
-
-
-def _edge_notes(answers):
-    """Note for a frame in which much of the horizon is only a lower bound."""
-    objective = answers.objective
-    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, answers.trials[:1], objective.columns(4))
-    share = float(objective.curve.clipped[objective.curve.nearest(azimuth)].mean())
-    if share < 0.2:
-        return ()
-    note = Message(
-        "In {share} % of the frame the DEM ends or has voids before higher terrain can be ruled out. Use "
-        "a larger DEM to make the heading more certain.",
-        share=f"{100 * share:.0f}",
-    )
-    return (note,)
-
-
-def _refusal(evidence, horizon, landmarks):
-    """Message with the reason why no match is possible, or None."""
-    width = evidence.probability.shape[1]
-    telling = len(EvidenceStack.informative_columns(evidence.probability))
-    if telling < LEAST_COLUMNS_SHARE * width and not landmarks:
-        return Message(
-            "Hardly any column of the picture shows a boundary between sky and terrain. Use a photo with a skyline, "
-            "or supply a sky mask or a drawn skyline."
-        )
-    if not np.isfinite(horizon.elevation_deg).any():
-        return Message("The DEM has no terrain around this position. Use a DEM that reaches farther.")
-    return None
-
-
 def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B008 - frozen
     """Search and fit without judging; `match_robust` and the calibration share this part.
 
@@ -229,6 +186,32 @@ def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     -------
     Answers
     """
+    objectives, coarse = _searched(inputs, options, subtask(progress, 0.0, 0.4))
+    return _fitted(inputs, objectives, coarse, options, subtask(progress, 0.4, 1.0))
+
+
+def mirror_fits_better(inputs, answers, options):
+    """Tell whether the mirror image of a picture scores higher than the best answer, from the same eye.
+
+    The mirror image of a view is a view that no place has, so that the DEM fits it only by chance. It is fitted only
+    if its coarse search scores as high as that of the picture itself, which is rare.
+
+    Parameters
+    ----------
+    inputs : MatchInputs
+    answers : Answers
+        To the picture itself.
+    options : RobustOptions
+    """
+    image = inputs.mirrored(inputs.eyes[answers.eye[0]])
+    objectives, coarse = _searched(image, options, SILENT)
+    if coarse[0].score.max() < answers.coarse.score.max():
+        return False
+    return bool(_fitted(image, objectives, coarse, options, SILENT).finding.score[0] > answers.finding.score[0])
+
+
+def _searched(inputs, options, progress):
+    """Objectives and coarse searches, one of each for every hypothesis of the eye."""
     evidence, prior, eyes = inputs.evidence, inputs.reduced_prior, inputs.eyes
     stack = EvidenceStack(evidence.probability, options.likelihood, evidence.leaves_frame)
     marks = scale_landmarks(inputs.landmarks, inputs.camera_prior.camera, prior.camera)
@@ -238,17 +221,25 @@ def find_answers(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     )
     grid = options.search.for_picture(prior.camera.hfov_deg, _skyline_relief_deg(stack, prior.camera))
     belief = partial(_belief, inputs.heading_prior)
-    coarse = coarse_search(stack, prior.camera, curves, grid, belief, subtask(progress, 0.0, 0.4))
-    starts = [starting_pose(prior.camera, mark) for mark in marks]
+    return objectives, coarse_search(stack, prior.camera, curves, grid, belief, progress)
+
+
+def _fitted(inputs, objectives, coarse, options, progress):
+    """Fit the candidates of the coarse searches and the poses that landmarks suggest."""
+    camera = inputs.reduced_prior.camera
+    marks = scale_landmarks(inputs.landmarks, inputs.camera_prior.camera, camera)
+    starts = [starting_pose(camera, mark) for mark in marks]
     starts = np.array([(pose.heading_deg, pose.pitch_deg, pose.roll_deg) for pose in starts]).reshape(-1, 3)
     scorers = [
         Scorer(
-            objective, InnerEvidence(objective, evidence, eye.inner, options), eye.log_prior / table()["temperature"]
+            objective,
+            InnerEvidence(objective, inputs.evidence, eye.inner, options),
+            eye.log_prior / table()["temperature"],
         )
-        for objective, eye in zip(objectives, eyes)
+        for objective, eye in zip(objectives, inputs.eyes)
     ]
     starts = [np.concatenate([starts, found.candidates]) for found in coarse]
-    fits = fit(scorers, starts, belief, options, subtask(progress, 0.4, 1.0))
+    fits = fit(scorers, starts, partial(_belief, inputs.heading_prior), options, progress)
     finding = examine(objectives, fits, options.heading_floor_deg)
     around = coarse[fits.eye[0]]
     return Answers(objectives, around, fits.trials, fits.eye, fits.scale, finding, options.heading_floor_deg)

