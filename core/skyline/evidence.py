@@ -23,7 +23,7 @@ from ..base.model import Skyline, SkylineEvidence
 from .appearance import EDGE_SIGMAS_PX, measure
 from .colour import learn_sky, relearn_sky
 from .features import boundary_features, log_probability, means_above_below, normalised
-from .network import resized, row_probability, sky_log_odds
+from .network import SOFTNESS, resized, row_probability, sky_log_odds
 from .seam import best_line, placed_between_rows, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("weights.json")
@@ -96,7 +96,7 @@ class SkylineOptions:
     seam_cost_per_px: float = 0.5
     weights: dict | None = None
     use_network: bool = True
-    network_softness: float = 6.0
+    network_softness: float = SOFTNESS
 
     def __post_init__(self):
         if self.work_px < 64 or self.colour_passes < 1:
@@ -166,7 +166,7 @@ def _first_colours(log_odds, appearance, options):
     """
     if log_odds is None:
         return learn_sky(appearance, options.colour_passes)
-    probability = row_probability(log_odds)
+    probability = row_probability(log_odds, options.network_softness)
     return relearn_sky(appearance, probability, np.zeros_like(probability))
 
 
