@@ -17,13 +17,14 @@ from qgis.core import (
 
 from ..core.base.errors import MissingPackageError, PhotoError
 from ..core.base.progress import checkpoint
+from ..core.io.whole_file import unused_name
 from .base import SkylineAlgorithm
 from .shared import parameters as shared
 from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.fields import is_null
 from .shared.i18n import tr
 from .shared.layers import points_fault, read_points
-from .shared.outputs import unused, write_whole
+from .shared.outputs import write_whole
 from .shared.photo_points import value_of
 
 PICTURE_PX = 1200
@@ -169,7 +170,7 @@ class ExportHeadings(SkylineAlgorithm):
         progress, pictures = FeedbackProgress(feedback), []
         for index, shot in enumerate(shots):
             checkpoint(progress, index / len(shots))
-            name = f"files/{unused(Path(shot.photo).stem, taken)}.jpg"
+            name = f"files/{unused_name(Path(shot.photo).stem, taken)}.jpg"
             announce(feedback, Path(shot.photo).name, index, len(shots))
             try:
                 pictures.append((name, _reduced(shot.photo)))

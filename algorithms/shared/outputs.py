@@ -228,16 +228,6 @@ def is_plain_file(value):
     return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 
 
-def unused(stem, taken):
-    """File name without suffix that no earlier file of the run has; `taken` holds the names in use."""
-    unique, number = stem, 1
-    while unique.lower() in taken:
-        number += 1
-        unique = f"{stem}_{number}"
-    taken.add(unique.lower())
-    return unique
-
-
 def make_folder_of(value):
     """Create the folder of an output file; destinations that are not plain paths are left alone.
 
