@@ -251,18 +251,35 @@ def write_whole(path, content):
     ------
     OutputError
     """
-    path = Path(path)
-    make_folder_of(str(path))
-    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
-    data = content.encode("utf-8") if isinstance(content, str) else content
+    write_together({path: content})
+
+
+def write_together(contents):
+    """Write several files, none of which appears before all of them are complete; creates their folders.
+
+    Parameters
+    ----------
+    contents : dict
+        Bytes or text by path.
+
+    Raises
+    ------
+    OutputError
+    """
+    parts: dict = {}
     try:
-        part.write_bytes(data)
-        os.replace(part, path)
+        for path, content in contents.items():
+            make_folder_of(str(path))
+            parts[path] = Path(path).with_name(f".skyline-{secrets.token_hex(6)}.part")
+            parts[path].write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+        for path, part in parts.items():
+            os.replace(part, path)
     except OSError as error:
         raise unwritable(path, error) from None
     finally:
-        with suppress(OSError):
-            part.unlink()
+        for part in parts.values():
+            with suppress(OSError):
+                part.unlink()
 
 
 def unwritable(path, error):
