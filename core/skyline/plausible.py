@@ -35,7 +35,9 @@ def check_skyline(evidence, needed=True):
         raise SkylineNotFoundError(Message("The picture shows no skyline: no line separates sky from terrain."))
     if _has_steps(line.row_px, evidence.probability.shape[0]):
         raise SkylineNotFoundError(
-            Message("The picture shows no mountain skyline: its lines are level and upright, as in a room.")
+            Message(
+                "The picture shows no mountain skyline: its lines are level and upright, as in a room or on a page."
+            )
         )
 
 

@@ -58,5 +58,5 @@ def room(height=600, width=800):
 
 
 def test_a_made_up_room_is_refused():
-    with pytest.raises(SkylineNotFoundError, match="as in a room"):
+    with pytest.raises(SkylineNotFoundError, match="as in a room or on a page"):
         check_skyline(skyline_evidence(room()))
