@@ -9,7 +9,8 @@ from ..base.messages import Message
 
 LEAST_LIKELY_SHARE = 0.15
 """Share of the columns in which the line must be more likely right than wrong; less of a skyline decides no heading.
-For 122 mountain photographs, clouded ones included, it is 0.43 or more; for a page of text and the night 0.02 at most."""
+For 122 mountain photographs, clouded ones included, it is 0.43 or more; for a page of text and for the night it is
+0.02 or less."""
 
 LEVEL_RUN_SHARE, LEVEL_SHARE = 0.05, 0.8
 """A piece of the line that keeps its row over this share of the width is level; this share of the line in level pieces
