@@ -16,18 +16,20 @@ from qgis.core import (
 )
 
 from ..core.base.errors import MissingPackageError, PhotoError
+from ..core.base.messages import Message
 from ..core.base.progress import checkpoint
+from ..core.base.status import RELIABLE, known_status
+from ..core.io.whole_file import unused_name
 from .base import SkylineAlgorithm
 from .shared import parameters as shared
 from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.fields import is_null
 from .shared.i18n import tr
 from .shared.layers import points_fault, read_points
-from .shared.outputs import unused, write_whole
+from .shared.outputs import write_together
 from .shared.photo_points import value_of
 
 PICTURE_PX = 1200
-TRUSTED = ("accepted", "confirmed")
 FIELDS = {
     "elevation_m": "eye_z",
     "pitch_deg": "pitch",
@@ -126,21 +128,20 @@ class ExportHeadings(SkylineAlgorithm):
         table = self.parameterAsFileOutput(parameters, "TABLE", context)
         kml = self.parameterAsFileOutput(parameters, "KML", context)
         folder = self.parameterAsString(parameters, "SIDECARS", context)
-        results = {"COUNT": len(shots), "LEFT_OUT": len(rows) - len(shots)}
-        earth = self._earth(shots, Path(kml), feedback) if kml else None
+        contents: dict = {}
         if table:
             from ..core.io.heading_files import csv_text
 
-            write_whole(table, csv_text(shots))
-            results["TABLE"] = table
+            contents[table] = csv_text(shots)
         if kml:
-            write_whole(kml, earth)
-            results["KML"] = kml
+            contents[kml] = self._earth(shots, Path(kml), feedback)
         if folder:
-            self._write_sidecars(shots, Path(folder), feedback)
-            results["SIDECARS"] = folder
+            contents.update(self._sidecars(shots, Path(folder), feedback))
+        write_together(contents)
         feedback.pushInfo(tr("{count} headings exported.").format(count=len(shots)))
-        return results
+        written = {"TABLE": table, "KML": kml, "SIDECARS": folder}
+        counts = {"COUNT": len(shots), "LEFT_OUT": len(rows) - len(shots)}
+        return {**counts, **{name: path for name, path in written.items() if path}}
 
     def _shots(self, rows, doubtful, feedback):
         """Headings of the photographs to export; the log names those that are left out, with the reason."""
@@ -149,9 +150,11 @@ class ExportHeadings(SkylineAlgorithm):
         shots = []
         for row in rows:
             heading, status = row.numbers["HEADING_FIELD"], _text_of(row.feature, "status")
-            if row.path is None or heading is None:
+            if row.path is None:
+                warn(feedback, row.name, Message("The point names no photo. Fill its path field."))
+            elif heading is None:
                 warn(feedback, row.name, tr("left out, because it has no heading."))
-            elif status and status not in TRUSTED and not doubtful:
+            elif known_status(status) not in (None, *RELIABLE) and not doubtful:
                 warn(feedback, row.name, tr("left out, because its status is {status}.").format(status=status))
             else:
                 known = {name: value_of(row.feature, field) for name, field in FIELDS.items()}
@@ -160,16 +163,21 @@ class ExportHeadings(SkylineAlgorithm):
         return shots
 
     def _earth(self, shots, path, feedback):
-        """Text of the KML file, or bytes of the KMZ file with its pictures."""
+        """Text of the KML file, or bytes of the KMZ file with its pictures; photos without a position are left out."""
         from ..core.io.heading_files import kml_text, kmz_bytes
 
+        for shot in shots:
+            if shot.longitude is None:
+                text = tr("left out of the KML file, because its point has no position.")
+                warn(feedback, Path(shot.photo).name, text)
+        shots = [shot for shot in shots if shot.longitude is not None]
         if path.suffix.lower() != ".kmz":
             return kml_text(shots, [_address(shot.photo, path.absolute().parent) for shot in shots], path.stem)
         taken: set = set()
         progress, pictures = FeedbackProgress(feedback), []
         for index, shot in enumerate(shots):
             checkpoint(progress, index / len(shots))
-            name = f"files/{unused(Path(shot.photo).stem, taken)}.jpg"
+            name = f"files/{unused_name(Path(shot.photo).stem, taken)}.jpg"
             announce(feedback, Path(shot.photo).name, index, len(shots))
             try:
                 pictures.append((name, _reduced(shot.photo)))
@@ -179,18 +187,20 @@ class ExportHeadings(SkylineAlgorithm):
         kml = kml_text(shots, [quote(name) for name, _ in pictures], path.stem)
         return kmz_bytes(kml, [picture for picture in pictures if picture[1]])
 
-    def _write_sidecars(self, shots, folder, feedback):
+    def _sidecars(self, shots, folder, feedback):
+        """Text of each sidecar by its path, without those that other programs wrote."""
         from ..core.io.heading_files import is_ours, xmp_text
 
-        common = _common_folder([shot.photo for shot in shots])
+        common, texts = _common_folder([shot.photo for shot in shots]), {}
         for shot in shots:
             place = Path(os.path.relpath(Path(shot.photo).absolute().parent, common)) if common else Path()
             target = folder / place / f"{Path(shot.photo).name}.xmp"
             if is_ours(target):
-                write_whole(target, xmp_text(shot))
+                texts[target] = xmp_text(shot)
             else:
                 text = tr("left as it is, because another program wrote {path}.").format(path=target)
                 warn(feedback, Path(shot.photo).name, text)
+        return texts
 
 
 def _common_folder(paths):

@@ -16,6 +16,7 @@ from qgis.core import (
     QgsVectorDataProvider,
 )
 
+from ..core.base.status import known_status
 from .base import SkylineAlgorithm
 from .shared import parameters as shared
 from .shared.fields import is_null
@@ -117,7 +118,7 @@ class MergeOriented(SkylineAlgorithm):
                 if only_better and _worth(answer) < _worth(feature):
                     kept += 1
                     text = tr("{name}: stays {before}; the new answer is {after}.")
-                    words = {"before": feature["status"], "after": answer["status"]}
+                    words = {"before": _status(feature), "after": _status(answer) or tr("unknown")}
                     feedback.pushInfo(text.format(name=_short(path), **words))
                     continue
                 changes[feature.id()] = _changes(feature, answer)
@@ -183,10 +184,13 @@ def _places(layer, column):
     return places
 
 
+def _status(feature):
+    """Return the status of a feature, or None if it has none of ours."""
+    return None if feature.fields().lookupField("status") < 0 else known_status(feature["status"])
+
+
 def _worth(feature):
-    if feature.fields().lookupField("status") < 0 or is_null(feature["status"]):
-        return -1
-    return RANK.get(str(feature["status"]), -1)
+    return RANK.get(_status(feature), -1)
 
 
 def _changes(feature, answer):

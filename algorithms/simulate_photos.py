@@ -10,13 +10,14 @@ from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum
 from ..core.base.camera import Camera, Pose, focal_of_fov_px
 from ..core.base.errors import PhotoError
 from ..core.base.progress import subtask
+from ..core.io.whole_file import unused_name
 from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.feedback import FeedbackProgress, announce, warn
 from .shared.fields import is_null
 from .shared.i18n import tr
 from .shared.layers import read_points
-from .shared.outputs import make_folder_of, unused
+from .shared.outputs import make_folder_of
 
 POSE_FIELDS = ("HEADING_FIELD", "PITCH_FIELD", "ROLL_FIELD", "HFOV_FIELD", "HEIGHT_FIELD")
 FORMATS = ("jpg", "heic")
@@ -226,4 +227,4 @@ def stem_of(row, taken):
     names = {name.lower(): name for name in row.feature.fields().names()}
     values = [row.feature[names[name]] for name in ("photo", "filename", "name") if name in names]
     stem = next((Path(str(value)).stem for value in values if not is_null(value)), f"photo_{row.feature.id()}")
-    return unused(stem, taken)
+    return unused_name(stem, taken)

@@ -294,5 +294,5 @@ def _eye_elevation_m(request, metadata):
     """Elevation of the eye that was given, or recorded and to be used; None means that of the DEM."""
     if request.eye_elevation_m is not None or not request.use_altitude:
         return request.eye_elevation_m
-    # DEM elevations are above sea level; the geoid lies up to 100 m from the ellipsoid.
-    return None if metadata.altitude_reference == "ellipsoid" else metadata.altitude_m
+    # DEM elevations are above sea level, and the geoid lies up to 100 m from the ellipsoid; `base.heights` tells of 0.
+    return None if metadata.altitude_reference == "ellipsoid" else metadata.altitude_m or None

@@ -940,6 +940,15 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
         <source>left out, because it has no heading.</source>
         <translation>ausgelassen, weil keine Blickrichtung bekannt ist.</translation>
     </message>
@@ -947,6 +956,11 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>left out, because its status is {status}.</source>
         <translation>ausgelassen, weil der Status {status} ist.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out of the KML file, because its point has no position.</source>
+        <translation>nicht in der KML-Datei, weil der Punkt keine Position hat.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1447,14 +1461,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Der Punkt nennt kein Foto. Füllen Sie sein Pfadfeld aus.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
         <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
     </message>
@@ -1800,6 +1806,12 @@
         <location filename="../algorithms/merge_oriented.py"/>
         <source>{name}: stays {before}; the new answer is {after}.</source>
         <translation>{name}: bleibt {before}; das neue Ergebnis ist {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
@@ -2824,11 +2836,6 @@
         <location filename="../algorithms/shared/legends.py"/>
         <source>outside the picture</source>
         <translation>außerhalb des Bildes</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
@@ -6913,8 +6920,8 @@
     </message>
     <message>
         <location filename="../core/skyline/plausible.py"/>
-        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
-        <translation>Das Bild zeigt keine Horizontlinie von Bergen: Seine Linien sind waagerecht und senkrecht wie in einem Raum.</translation>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room or on a page.</source>
+        <translation>Das Bild zeigt keine Horizontlinie von Bergen: Seine Linien sind waagerecht und senkrecht wie in einem Raum oder auf einer Seite.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>

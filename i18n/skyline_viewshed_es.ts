@@ -940,6 +940,15 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
         <source>left out, because it has no heading.</source>
         <translation>omitida, porque no tiene rumbo.</translation>
     </message>
@@ -947,6 +956,11 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>left out, because its status is {status}.</source>
         <translation>omitida, porque su estado es {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out of the KML file, because its point has no position.</source>
+        <translation>no está en el archivo KML, porque su punto no tiene posición.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1447,14 +1461,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>El punto no nombra ninguna foto. Rellene su campo de ruta.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
         <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
     </message>
@@ -1800,6 +1806,12 @@
         <location filename="../algorithms/merge_oriented.py"/>
         <source>{name}: stays {before}; the new answer is {after}.</source>
         <translation>{name}: sigue {before}; el nuevo resultado es {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>desconocido</translation>
     </message>
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
@@ -2824,11 +2836,6 @@
         <location filename="../algorithms/shared/legends.py"/>
         <source>outside the picture</source>
         <translation>fuera de la imagen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <source>unknown</source>
-        <translation>desconocido</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
@@ -6913,8 +6920,8 @@
     </message>
     <message>
         <location filename="../core/skyline/plausible.py"/>
-        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
-        <translation>La imagen no muestra ninguna línea de montañas: sus líneas son horizontales y verticales, como en una habitación.</translation>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room or on a page.</source>
+        <translation>La imagen no muestra ninguna línea de montañas: sus líneas son horizontales y verticales, como en una habitación o en una página.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>

@@ -940,6 +940,15 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
+        <location filename="../algorithms/locate_photos.py"/>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <location filename="../panel/model/session.py"/>
+        <location filename="../core/many.py"/>
+        <source>The point names no photo. Fill its path field.</source>
+        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
         <source>left out, because it has no heading.</source>
         <translation>écartée, car elle n'a pas de cap.</translation>
     </message>
@@ -947,6 +956,11 @@
         <location filename="../algorithms/export_headings.py"/>
         <source>left out, because its status is {status}.</source>
         <translation>écartée, car son statut est {status}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/export_headings.py"/>
+        <source>left out of the KML file, because its point has no position.</source>
+        <translation>absente du fichier KML, car son point n'a pas de position.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1447,14 +1461,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <location filename="../panel/model/session.py"/>
-        <location filename="../core/many.py"/>
-        <source>The point names no photo. Fill its path field.</source>
-        <translation>Le point ne désigne aucune photo. Remplissez son champ de chemin.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
         <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
     </message>
@@ -1800,6 +1806,12 @@
         <location filename="../algorithms/merge_oriented.py"/>
         <source>{name}: stays {before}; the new answer is {after}.</source>
         <translation>{name} : reste {before} ; le nouveau résultat est {after}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/merge_oriented.py"/>
+        <location filename="../algorithms/shared/legends.py"/>
+        <source>unknown</source>
+        <translation>inconnu</translation>
     </message>
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
@@ -2824,11 +2836,6 @@
         <location filename="../algorithms/shared/legends.py"/>
         <source>outside the picture</source>
         <translation>hors de l'image</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/legends.py"/>
-        <source>unknown</source>
-        <translation>inconnu</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/legends.py"/>
@@ -6913,8 +6920,8 @@
     </message>
     <message>
         <location filename="../core/skyline/plausible.py"/>
-        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room.</source>
-        <translation>L'image ne montre aucune ligne de montagnes : ses lignes sont horizontales et verticales, comme dans une pièce.</translation>
+        <source>The picture shows no mountain skyline: its lines are level and upright, as in a room or on a page.</source>
+        <translation>L'image ne montre aucune ligne de montagnes : ses lignes sont horizontales et verticales, comme dans une pièce ou sur une page.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...core.io.whole_file import unused_name
 from . import parameters as shared
 from .i18n import tr
-from .outputs import unused, write_whole
+from .outputs import write_whole
 
 
 def orientations_out(name="ORIENTATIONS"):
@@ -41,7 +42,7 @@ class KeptOrientations:
 
         if not self.folder:
             return True
-        path = Path(self.folder) / f"{unused(Path(request.path).stem, self._taken)}.npz"
+        path = Path(self.folder) / f"{unused_name(Path(request.path).stem, self._taken)}.npz"
         mark = orientation_mark(request, dem, options)
         self._files[id(request)] = path, mark, holds(path, mark)
         return not self._files[id(request)][2]

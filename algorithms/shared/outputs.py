@@ -228,16 +228,6 @@ def is_plain_file(value):
     return bool(value) and not NO_FILE.match(value) and "|" not in value and not Path(value).is_dir()
 
 
-def unused(stem, taken):
-    """File name without suffix that no earlier file of the run has; `taken` holds the names in use."""
-    unique, number = stem, 1
-    while unique.lower() in taken:
-        number += 1
-        unique = f"{stem}_{number}"
-    taken.add(unique.lower())
-    return unique
-
-
 def make_folder_of(value):
     """Create the folder of an output file; destinations that are not plain paths are left alone.
 
@@ -261,18 +251,35 @@ def write_whole(path, content):
     ------
     OutputError
     """
-    path = Path(path)
-    make_folder_of(str(path))
-    part = path.with_name(f".skyline-{secrets.token_hex(6)}.part")
-    data = content.encode("utf-8") if isinstance(content, str) else content
+    write_together({path: content})
+
+
+def write_together(contents):
+    """Write several files, none of which appears before all of them are complete; creates their folders.
+
+    Parameters
+    ----------
+    contents : dict
+        Bytes or text by path.
+
+    Raises
+    ------
+    OutputError
+    """
+    parts: dict = {}
     try:
-        part.write_bytes(data)
-        os.replace(part, path)
+        for path, content in contents.items():
+            make_folder_of(str(path))
+            parts[path] = Path(path).with_name(f".skyline-{secrets.token_hex(6)}.part")
+            parts[path].write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+        for path, part in parts.items():
+            os.replace(part, path)
     except OSError as error:
         raise unwritable(path, error) from None
     finally:
-        with suppress(OSError):
-            part.unlink()
+        for part in parts.values():
+            with suppress(OSError):
+                part.unlink()
 
 
 def unwritable(path, error):

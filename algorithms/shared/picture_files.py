@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from ...core.base.errors import MissingPackageError, PhotoError
+from ...core.io.whole_file import unused_name
 from .feedback import warn
 from .i18n import marked, tr
-from .outputs import unused, write_whole
+from .outputs import write_whole
 
 PREVIEW_PX = 1600
 
@@ -27,7 +28,7 @@ class PictureFolder:
     def stem(self, name):
         """File name without suffix, not used before in this folder."""
         stem = "".join(c if c.isalnum() or c in "-_. " else "_" for c in Path(name).stem) or "photo"
-        return unused(stem, self._taken)
+        return unused_name(stem, self._taken)
 
     def annotate(self, photo, points, strokes, feedback):
         """Write one photo with its marks; a photo that cannot be read or drawn gets a warning."""

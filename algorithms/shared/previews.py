@@ -15,9 +15,10 @@ from pathlib import Path
 from qgis.core import QgsFields, QgsProcessingUtils
 
 from ...core.base.errors import MissingPackageError, PhotoError
+from ...core.io.whole_file import unused_name
 from .fields import FieldSpec, is_null, qgis_field
 from .i18n import tr
-from .outputs import destination, is_plain_file, make_folder_of, unused, unwritable
+from .outputs import destination, is_plain_file, make_folder_of, unwritable
 
 SHOWN = (".jpg", ".jpeg", ".png", ".bmp", ".gif", ".webp")
 """Suffixes of pictures that every Qt draws."""
@@ -101,7 +102,7 @@ class Previews:
             )
         except (MissingPackageError, PhotoError):
             return str(path)
-        name = f"{unused(path.stem, self._taken)}.jpg"
+        name = f"{unused_name(path.stem, self._taken)}.jpg"
         try:
             (self._staging() / name).write_bytes(data)
         except OSError as error:

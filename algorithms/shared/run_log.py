@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 
+from ...core.base.status import RELIABLE
 from .feedback import announce, warn
 from .i18n import marked, tr
 
-SURE = ("accepted", "confirmed")
 MOST_NAMED = 50
 
 
@@ -45,7 +45,7 @@ class RunLog:
             heading = orientation.best.pose.heading_deg
             text = tr("{name}: {verdict}, heading {heading}°")
             self.feedback.pushInfo(text.format(name=name, verdict=verdict, heading=f"{round(heading, 1) % 360:.1f}"))
-        if orientation.status not in SURE:
+        if orientation.status not in RELIABLE:
             self._doubtful.setdefault(verdict, []).append(name)
         if orientation.status in ("failed", "rejected"):
             warn(self.feedback, name, orientation.message)

@@ -8,9 +8,10 @@ from typing import Any
 
 from ...core.base.errors import Cancelled, PhotoError
 from ...core.base.progress import checkpoint, subtask
+from ...core.io.whole_file import unused_name
 from .feedback import FeedbackProgress, announce, warn
 from .i18n import tr
-from .outputs import make_folder_of, unused
+from .outputs import make_folder_of
 from .photo_points import PhotoPoint
 from .styling import dress_file
 from .visibility import sector_of
@@ -199,4 +200,4 @@ def stations(points):
 def file_stem(point, taken):
     """Name for a photo's own raster that is not in use yet."""
     stem = Path(point.path).stem if point.path else f"point_{point.source_id}"
-    return unused(stem, taken)
+    return unused_name(stem, taken)

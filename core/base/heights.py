@@ -120,7 +120,7 @@ def eye_notes(request: Any, metadata: PhotoMetadata, oriented: OrientedPhoto) ->
         return (
             Message("The skyline fits best from {metres} m below the DEM's surface, which was used.", metres=metres),
         )
-    if metadata.altitude_m is None:
+    if not metadata.altitude_m:
         return ()
     trusted = request.use_altitude and request.eye_elevation_m is None
     if trusted and metadata.altitude_reference == "ellipsoid":

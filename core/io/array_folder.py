@@ -17,17 +17,8 @@ UNREADABLE = OSError, ValueError, EOFError
 
 
 def mark_of(dem, *facts):
-    """Make a digest of a DEM's file and of further facts, which are compared by their `repr`.
-
-    A changed DEM is detected by size and modification time.
-    """
-    try:
-        state = os.stat(dem.path)
-        file = os.path.abspath(dem.path), state.st_size, state.st_mtime_ns
-    except OSError:  # not a regular file: a database or an archive
-        file = dem.path
-    everything = repr((file, dem.band, dem.shape, dem.geotransform, dem.crs_wkt, facts))
-    return hashlib.sha256(everything.encode("utf-8", "surrogateescape")).hexdigest()[:32]
+    """Make a digest of the `state` of a DEM and of further facts, which are compared by their `repr`."""
+    return hashlib.sha256(repr((dem.state, facts)).encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
 
 class ArrayFolder:

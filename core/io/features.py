@@ -11,13 +11,24 @@ import csv
 import io
 import json
 import os
+from collections import Counter
 
 import numpy as np
 
 from ..base.errors import UnreadableFeaturesError
 from ..base.messages import Message
 from ..base.pixel_features import counts_upwards, downward
-from .label_tools import first_value, make_feature, of_coco, of_labelme, of_via, plain_values, via_bytes, via_shape
+from .label_tools import (
+    first_value,
+    make_feature,
+    note_unknown,
+    of_coco,
+    of_labelme,
+    of_via,
+    plain_values,
+    via_bytes,
+    via_shape,
+)
 
 MAX_BYTES = 200_000_000
 INCOMPLETE = (KeyError, IndexError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
@@ -53,7 +64,7 @@ def read_features(path):
     if text.lstrip()[:1] in ("{", "["):
         return _from_json(path, text, notes), notes
     try:
-        return _from_csv(path, text), notes
+        return _from_csv(path, text, notes), notes
     except csv.Error as error:  # for example a null character, or a field of more than 128 kB
         raise UnreadableFeaturesError(path, _incomplete(error)) from None
 
@@ -133,13 +144,13 @@ def _geometry_parts(geometry):
     }[kind]()
 
 
-def _from_csv(path, text):
+def _from_csv(path, text, notes):
     first = text.split("\n", 1)[0]
     delimiter = max(",;\t", key=first.count)
     rows = csv.DictReader(io.StringIO(text), delimiter=delimiter)
     names = {(name or "").strip().lower(): name for name in rows.fieldnames or []}
     if "region_shape_attributes" in names:
-        return _via_csv(path, rows)
+        return _via_csv(path, rows, notes)
     x, y = (next((names[n] for n in wanted if n in names), None) for wanted in (_X, _Y))
     if x is None or y is None:
         raise UnreadableFeaturesError(
@@ -182,8 +193,9 @@ def _kind_of(word, count):
     return "point" if count == 1 or word == "point" else "line"
 
 
-def _via_csv(path, rows):
-    features = []
+def _via_csv(path, rows, notes):
+    features: list = []
+    unknown: Counter[str] = Counter()
     for number, row in enumerate(rows):
         try:
             shape = json.loads(row["region_shape_attributes"] or "{}")
@@ -194,6 +206,8 @@ def _via_csv(path, rows):
                 size = via_bytes(row.get("file_size"))
                 called = first_value(given)
                 features.append(make_feature(photo, *drawn, called, plain_values(given), file_bytes=size))
+            elif shape:  # a picture without regions has a line with an empty shape
+                unknown[str(shape.get("name"))] += 1
         except INCOMPLETE as error:
             reason = Message(
                 "line {number} is incomplete ({reason}). Correct that line.",
@@ -201,4 +215,5 @@ def _via_csv(path, rows):
                 reason=f"{error!r:.120}",
             )
             raise UnreadableFeaturesError(path, reason) from None
+    note_unknown(unknown, notes)
     return features

@@ -110,11 +110,13 @@ def xmp_text(shot: PhotoHeading) -> str:
 
 
 def is_ours(sidecar: str | os.PathLike) -> bool:
-    """Tell whether a sidecar may be replaced: it does not exist yet, or we wrote it."""
+    """Tell whether a sidecar may be replaced: it does not exist yet, or we wrote it; not if it cannot be read."""
     try:
         return f'x:xmptk="{TOOLKIT}"' in Path(sidecar).read_text(encoding="utf-8", errors="replace")
     except FileNotFoundError:
         return True
+    except OSError:
+        return False
 
 
 def csv_text(shots: Iterable[PhotoHeading]) -> str:

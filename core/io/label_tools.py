@@ -38,7 +38,7 @@ def of_labelme(data, notes):
             continue
         for kind, parts in drawn:
             features.append(make_feature(photo, kind, parts, shape.get("label"), size_px=size_px))
-    _note_unknown(unknown, notes)
+    note_unknown(unknown, notes)
     return features
 
 
@@ -77,7 +77,7 @@ def of_coco(data, notes):
         if not drawn:
             empty["annotation"] += 1
         features += [make_feature(photo, kind, parts, label, size_px=size_px) for kind, parts in drawn]
-    _note_unknown(empty, notes)
+    note_unknown(empty, notes)
     return features
 
 
@@ -116,7 +116,7 @@ def of_via(data, notes):
             feature = make_feature(picture["filename"], kind, parts, first_value(given), plain_values(given),
                                    file_bytes=via_bytes(picture.get("size")))  # fmt: skip
             features.append(feature)
-    _note_unknown(unknown, notes)
+    note_unknown(unknown, notes)
     return features
 
 
@@ -146,7 +146,8 @@ def via_shape(shape):
     return None
 
 
-def _note_unknown(counted, notes):
+def note_unknown(counted, notes):
+    """Note how many shapes of each kind were left out; `counted` holds their numbers by kind."""
     if counted:
         kinds = ", ".join(f"{kind} ({count})" for kind, count in sorted(counted.items()))
         notes.append(Message("Shapes without an outline that can be read were left out: {kinds}.", kinds=kinds))

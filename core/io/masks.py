@@ -55,16 +55,20 @@ def mask_of_picture(text):
 
     Raises
     ------
-    ValueError, OSError
-        The text is no picture.
+    ValueError
+        The text is no picture, or a damaged or too large one.
     """
     pil = available("PIL.Image")
     if pil is None:
         return None
-    with pil.open(io.BytesIO(base64.b64decode(text))) as picture:
-        if picture.size[0] * picture.size[1] > MAX_PIXELS:
-            raise ValueError("the mask is too large")
-        return np.asarray(picture.convert("L")) > 0
+    data = base64.b64decode(text)
+    try:
+        with pil.open(io.BytesIO(data)) as picture:
+            if picture.size[0] * picture.size[1] <= MAX_PIXELS:
+                return np.asarray(picture.convert("L")) > 0
+    except Exception as error:  # on damaged files Pillow raises SyntaxError, struct.error, OSError, ...
+        raise ValueError(f"the mask is no picture: {error}") from None
+    raise ValueError("the mask is too large")
 
 
 def outlines(mask):

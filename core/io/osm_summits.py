@@ -11,7 +11,7 @@ from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
 from .gdal_quiet import quiet_gdal
 
-SUFFIXES = (".osm", ".pbf", ".osm.bz2")
+SUFFIXES = (".osm", ".pbf")
 
 # GDAL's own configuration leaves the height (ele) out.
 CONFIGURATION = """[points]

@@ -203,7 +203,7 @@ def fitted_to_landmarks(camera, pose, landmarks, focal_sigma):
 
 
 def horizon_marks(terrain, horizon, frame, camera, pose):
-    """Places of the map on the horizon, and where a camera shows them: what a person says who moved the horizon there.
+    """Places of the map on the horizon, and the pixels at which a camera shows them: the landmarks of a fitted horizon.
 
     Parameters
     ----------

@@ -252,9 +252,9 @@ def test_a_mixed_collection_is_searched_for_with_all_its_parts(run, scene, tmp_p
 
     alone = [row for layer in separate for row in seen(layer)]
     ((share, framed, distance_m),) = seen(mixed)
-    assert min(row[0] for row in alone) <= share <= max(row[0] for row in alone) or len(alone) < 3
-    assert 0 < share <= framed <= 1
-    assert min(row[2] for row in alone) * 0.9 <= distance_m <= max(row[2] for row in alone) * 1.1
+    assert len(alone) == 3 and framed == 1
+    assert min(row[0] for row in alone) < share < max(row[0] for row in alone)
+    assert min(row[2] for row in alone) < distance_m < max(row[2] for row in alone)
 
 
 # Names that repeat

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import csv
+import errno
 import hashlib
 import json
 import shutil
 import zipfile
+from pathlib import Path
 
 import pytest
 from qgis.core import QgsFeature, QgsGeometry, QgsProcessingException, QgsVectorLayer
@@ -81,6 +83,38 @@ def test_kmz_has_reduced_pictures_and_kml_points_to_the_originals(run, trip, tmp
         assert archive.read("files/IMG_1.jpg")[:2] == b"\xff\xd8"
     run("exportheadings", {"INPUT": layer, "KML": str(tmp_path / "a.kml"), "DOUBTFUL": True})
     assert "<href>photos/1/IMG_1.jpg</href>" in (tmp_path / "a.kml").read_text(encoding="utf-8")
+
+
+def test_a_full_disk_leaves_none_of_the_outputs(run, trip, tmp_path, monkeypatch):
+    layer, folder = trip
+    (tmp_path / "t.csv").write_text("older")
+    write, written = Path.write_bytes, []
+
+    def fill_up(path, data):
+        written.append(path)
+        if len(written) == 4:  # the table, the KML file and the first sidecar still find room
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return write(path, data)
+
+    monkeypatch.setattr(Path, "write_bytes", fill_up)
+    outputs = {"TABLE": str(tmp_path / "t.csv"), "KML": str(tmp_path / "a.kml"), "SIDECARS": str(folder)}
+    with pytest.raises(QgsProcessingException, match="2/IMG_1.jpg.xmp.*No space left"):
+        run("exportheadings", {"INPUT": layer, "DOUBTFUL": True, **outputs})
+    assert (tmp_path / "t.csv").read_text() == "older"
+    left = sorted(path.name for path in tmp_path.rglob("*") if path.is_file())
+    assert left == ["IMG_1.jpg", "IMG_1.jpg", "t.csv"]
+
+
+def test_what_a_point_lacks_is_named(run, trip, tmp_path):
+    layer, _ = trip
+    layer.dataProvider().changeGeometryValues({1: QgsGeometry()})
+    layer.dataProvider().changeAttributeValues({2: {0: None}})
+    given = {"INPUT": layer, "DOUBTFUL": True, "TABLE": str(tmp_path / "t.csv"), "KML": str(tmp_path / "a.kml")}
+    results, feedback = run("exportheadings", given)
+    assert (results["COUNT"], results["LEFT_OUT"]) == (1, 1)
+    assert "The point names no photo" in feedback.warnings[0]
+    assert feedback.warnings[1:] == ["IMG_1.jpg: left out of the KML file, because its point has no position."]
+    assert "PhotoOverlay" not in (tmp_path / "a.kml").read_text(encoding="utf-8")
 
 
 def test_nothing_to_write_and_nothing_to_export_are_said(run, refusal, trip, tmp_path):

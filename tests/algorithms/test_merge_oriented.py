@@ -56,6 +56,18 @@ def test_a_better_status_stays_unless_the_user_says_otherwise(run, only_better, 
         assert "a.jpg: stays confirmed; the new answer is accepted." in feedback.infos
 
 
+def test_answers_without_a_status_do_not_take_the_place_of_a_known_one(run):
+    layer = layer_of(photo("a", "Confirmed", 10.0), photo("b", None, 20.0))
+    solved = QgsVectorLayer("Point?crs=EPSG:4326&field=photo:string&field=heading:double", "solved", "memory")
+    for path in ("/p/a.jpg", "/p/b.jpg"):
+        feature = QgsFeature(solved.fields())
+        feature.setAttributes([path, 99.0])
+        solved.dataProvider().addFeature(feature)
+    results, feedback = run("mergeoriented", {"INPUT": layer, "SOLVED": solved})
+    assert [row[2] for row in found(layer)] == [10.0, 99.0] and results["KEPT"] == 1
+    assert "a.jpg: stays confirmed; the new answer is unknown." in feedback.infos
+
+
 def test_of_several_answers_the_best_status_is_used(run):
     layer = layer_of(photo("a", "rejected", None))
     solved = layer_of(photo("a", "ambiguous", 1.0), photo("a", "accepted", 2.0), photo("a", "rejected", 3.0))

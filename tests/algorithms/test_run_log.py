@@ -31,7 +31,7 @@ def test_each_photo_has_verdict_heading_and_time_left_and_the_doubtful_are_named
         "d.jpg (4/4), about 60 s left",
     ]
     assert feedback.infos[:3] == [
-        "a.jpg: accepted, heading 360.0°".replace("360.0", "0.0"),
+        "a.jpg: accepted, heading 0.0°",
         "b.jpg: ambiguous, heading 12.0°",
         "d.jpg: ambiguous, heading 200.0°",
     ]

@@ -137,11 +137,12 @@ def test_an_eye_elevation_is_used(scene, dem, north):
 
 @pytest.fixture(scope="module")
 def aloft(scene, north, tmp_path_factory):
-    """The photo with a recorded altitude 60 m above the ground; takes the altitude's reference."""
+    """The photo with a recorded altitude, usually 60 m above the ground; takes the altitude's reference."""
 
-    def write(reference):
+    def write(reference, altitude_m=None):
         photo = read_photo(str(scene.folder / "north.jpg"))
-        altitude = {"altitude_m": north.ground_elevation_m + 60.0, "altitude_reference": reference}
+        altitude_m = north.ground_elevation_m + 60.0 if altitude_m is None else altitude_m
+        altitude = {"altitude_m": altitude_m, "altitude_reference": reference}
         path = str(tmp_path_factory.mktemp("aloft") / "aloft.jpg")
         write_photo(path, photo.pixels, replace(photo.metadata, **altitude))
         assert read_photo(path).metadata.altitude_reference == reference
@@ -169,6 +170,12 @@ def test_an_altitude_above_the_ellipsoid_is_not_taken_for_one_above_the_sea(dem,
     found = orient_request(PhotoRequest(aloft("ellipsoid"), use_altitude=True), dem)
     assert found.eye_elevation_m == pytest.approx(north.eye_elevation_m)
     assert "refers to the ellipsoid" in " ".join(found.orientation.notes)
+
+
+def test_an_altitude_of_zero_is_unknown_even_where_it_is_trusted(dem, north, aloft):
+    found = orient_request(PhotoRequest(aloft("sea level", 0.0), use_altitude=True), dem)
+    assert found.metadata.altitude_m == 0 and found.eye_elevation_m == pytest.approx(north.eye_elevation_m)
+    assert not [note for note in found.orientation.notes if "altitude" in note]
 
 
 def test_an_approximate_heading_and_a_landmark_are_used(scene, dem, north):

@@ -1,10 +1,12 @@
 import os
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.errors import OutputError
 from skyline_viewshed.core.io.array_folder import ArrayFolder, mark_of
+from skyline_viewshed.core.io.crs import WGS84
+from skyline_viewshed.core.io.dem_reading import DemReading
+from skyline_viewshed.core.io.raster import open_dem
 
 
 def fill(folder, value):
@@ -52,12 +54,24 @@ def test_a_folder_that_cannot_be_written_is_told(tmp_path):
         pass
 
 
-def test_the_mark_follows_the_file_and_the_facts(tmp_path):
-    path = tmp_path / "dem.tif"
-    path.write_bytes(b"1")
-    dem = SimpleNamespace(path=str(path), band=1, shape=(2, 2), geotransform=(0, 1, 0, 0, 0, -1), crs_wkt="x")
-    first = mark_of(dem, "area")
-    assert first == mark_of(dem, "area") != mark_of(dem, "other area")
-    path.write_bytes(b"22")
+@pytest.fixture
+def tile(tmp_path):
+    """A tile of heights, and the VRT before it."""
+    gdal = pytest.importorskip("osgeo.gdal")
+    path = str(tmp_path / "tile.tif")
+    dataset = gdal.GetDriverByName("GTiff").Create(path, 40, 40, 1, gdal.GDT_Float32)
+    dataset.SetGeoTransform((7.0, 0.001, 0, 46.0, 0, -0.001))
+    dataset.SetProjection(WGS84)
+    dataset.WriteArray(1000 + np.add.outer(np.arange(40.0), np.arange(40.0)))
+    dataset = None
+    gdal.BuildVRT(str(tmp_path / "dem.vrt"), [path]).FlushCache()
+    return tmp_path / "tile.tif", tmp_path / "dem.vrt"
+
+
+def test_the_mark_follows_the_tile_behind_a_vrt_the_reading_and_the_facts(tile):
+    path, vrt = tile
+    first = mark_of(open_dem(vrt), "area")
+    assert first == mark_of(open_dem(vrt), "area") != mark_of(open_dem(vrt), "other area")
+    assert mark_of(open_dem(vrt, reading=DemReading(unit="feet")), "area") != first
     os.utime(path, (1, 1))
-    assert mark_of(dem, "area") != first
+    assert mark_of(open_dem(vrt), "area") != first

@@ -52,6 +52,7 @@ def test_only_our_own_sidecars_may_be_replaced(tmp_path):
     ours.write_text(xmp_text(SHOT), encoding="utf-8")
     foreign.write_bytes(b'<x:xmpmeta x:xmptk="Adobe XMP Core"/>\xff')
     assert is_ours(ours) and is_ours(tmp_path / "new.xmp") and not is_ours(foreign)
+    assert not is_ours(tmp_path), "what cannot be read is left alone"
 
 
 def test_google_earth_gets_camera_picture_and_field_of_view():

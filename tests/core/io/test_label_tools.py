@@ -8,6 +8,7 @@ import json
 
 import numpy as np
 import pytest
+from skyline_viewshed.core.base.errors import UnreadableFeaturesError
 from skyline_viewshed.core.io.features import read_features
 
 
@@ -46,6 +47,23 @@ def test_what_coco_and_labelme_leave_unreadable_is_said_by_kind_and_count(read):
     regions = [{"shape_attributes": {"name": "spiral"}, "region_attributes": {}}]
     found, notes = read({"a.jpg1": {"filename": "a.jpg", "size": 1, "regions": regions}})
     assert found == [] and "spiral (1)" in str(notes[0])
+
+
+def test_a_csv_of_via_tells_what_it_leaves_out_but_not_of_pictures_without_regions(tmp_path):
+    rows = ["filename,file_size,region_shape_attributes,region_attributes", "a.jpg,1,{},{}"]
+    rows += [f'b.jpg,1,"{{""name"":""{kind}"",""cx"":3,""cy"":4}}",{{}}' for kind in ("point", "spiral")]
+    path = tmp_path / "via.csv"
+    path.write_text("\n".join(rows), encoding="utf-8")
+    (found,), (note,) = read_features(str(path))
+    assert found.photo == "b.jpg" and str(note).endswith("spiral (1).")
+
+
+@pytest.mark.parametrize("damage", [b"no picture", b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR"])
+def test_a_damaged_labelme_mask_is_a_fault_of_the_file(read, damage):
+    pytest.importorskip("PIL.Image")
+    shape = {"shape_type": "mask", "points": [[1, 2], [3, 4]], "mask": base64.b64encode(damage).decode()}
+    with pytest.raises(UnreadableFeaturesError):
+        read({"shapes": [shape], "imagePath": "a.jpg"})
 
 
 def test_a_labelme_mask_lies_where_its_box_is(read):

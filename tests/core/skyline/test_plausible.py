@@ -41,11 +41,21 @@ def test_ridges_seas_and_tilted_lines_pass(line):
     check_skyline(evidence(line))
 
 
-def test_a_line_without_confidence_is_none_unless_landmarks_decide():
+@pytest.mark.parametrize("confidence", [0.03, 0.28, np.where(np.arange(512) < 50, 0.9, 0.1)])
+def test_a_line_that_is_likely_in_few_columns_is_none_unless_landmarks_decide(confidence):
     with pytest.raises(SkylineNotFoundError, match="no line separates sky from terrain"):
-        check_skyline(evidence(RIDGE, 0.03))
-    check_skyline(evidence(RIDGE, 0.16))
-    check_skyline(evidence(RIDGE, 0.03), needed=False)
+        check_skyline(evidence(RIDGE, confidence))
+    check_skyline(evidence(RIDGE, confidence), needed=False)
+
+
+def test_a_skyline_that_clouds_hide_for_the_most_part_passes():
+    check_skyline(evidence(RIDGE, np.where(np.arange(512) < 100, 0.9, 0.0)))
+
+
+def test_the_night_is_refused():
+    dark = np.random.default_rng(3).normal(12, 6, (600, 800, 3))
+    with pytest.raises(SkylineNotFoundError, match="no line separates sky from terrain"):
+        check_skyline(skyline_evidence(np.clip(dark, 0, 255).astype(np.uint8)))
 
 
 def room(height=600, width=800):
@@ -58,5 +68,5 @@ def room(height=600, width=800):
 
 
 def test_a_made_up_room_is_refused():
-    with pytest.raises(SkylineNotFoundError, match="as in a room"):
+    with pytest.raises(SkylineNotFoundError, match="as in a room or on a page"):
         check_skyline(skyline_evidence(room()))
