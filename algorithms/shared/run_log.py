@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 
+from ...core.base.status import RELIABLE
 from .feedback import announce, warn
 from .i18n import marked, tr
 
-SURE = ("accepted", "confirmed")
 MOST_NAMED = 50
 
 
@@ -45,14 +45,25 @@ class RunLog:
             heading = orientation.best.pose.heading_deg
             text = tr("{name}: {verdict}, heading {heading}°")
             self.feedback.pushInfo(text.format(name=name, verdict=verdict, heading=f"{round(heading, 1) % 360:.1f}"))
-        if orientation.status not in SURE:
+        if orientation.status not in RELIABLE:
             self._doubtful.setdefault(verdict, []).append(name)
         if orientation.status in ("failed", "rejected"):
             warn(self.feedback, name, orientation.message)
 
+    def revise(self, name, before, orientation):
+        """Replace the answer of a photograph by a better one; `before` is the `Orientation` that was told first."""
+        from ...core.report.facts import status_word
+
+        if before.status not in RELIABLE:
+            self._doubtful[status_word(before.status, marked)].remove(name)
+        self._done -= 1
+        self.answer(name, orientation)
+
     def end(self):
-        """Name the photographs that need a person's eye, by verdict."""
+        """Name the photographs that a person should check, by verdict."""
         for verdict, names in self._doubtful.items():
+            if not names:
+                continue
             listed = ", ".join(names[:MOST_NAMED])
             if len(names) > MOST_NAMED:
                 listed = tr("{names} and {count} more").format(names=listed, count=len(names) - MOST_NAMED)
