@@ -67,7 +67,11 @@ def turn_between(one, other, one_focal_px, other_focal_px):
     source = points[[match.queryIdx for match in good]]
     target = other_points[[match.trainIdx for match in good]]
     homography, inside = cv2.findHomography(source, target, cv2.RANSAC, INLIER_PX)
-    if homography is None or np.linalg.det(homography) == 0 or inside.sum() < max(LEAST_MATCHES, LEAST_SHARE * len(good)):
+    if (
+        homography is None
+        or np.linalg.det(homography) == 0
+        or inside.sum() < max(LEAST_MATCHES, LEAST_SHARE * len(good))
+    ):
         return None
     stretched = np.linalg.inv(_lens(other_focal_px, other_shape)) @ homography @ _lens(one_focal_px, shape)
     left, values, right = np.linalg.svd(stretched / np.cbrt(np.linalg.det(stretched)))
