@@ -238,11 +238,15 @@ class PhotoViewshed(DemAlgorithm):
         """Return the function that computes one photo's viewshed, or None for a photo whose heading is not reliable."""
         doubtful = self._doubtful(parameters, context, method)
         progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
+        joint = self.parameterAsBoolean(parameters, "JOINT", context)
+        if joint:  # all photographs have been oriented before the first viewshed
+            progress = subtask(progress, ORIENTATION_PART, 1.0)
+        before = 0.0 if joint else ORIENTATION_PART
 
         def view(point, status, index):
             if point.posed is None or not (status in RELIABLE or doubtful):
                 return None
-            return viewer.view(point, subtask(progress, (index + ORIENTATION_PART) / count, (index + 1) / count))
+            return viewer.view(point, subtask(progress, (index + before) / count, (index + 1) / count))
 
         return view
 

@@ -22,7 +22,7 @@ from .base.imaging import shrink_to
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.optional import require
 from .base.posed import PosedPhoto
-from .base.progress import Progress, ProgressLike, as_progress
+from .base.progress import Progress, ProgressLike, as_progress, subtask
 from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
@@ -35,7 +35,7 @@ from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
 from .io.whole_file import ReportFile
-from .many import OrientJob, fallen, look_again, outcomes_of
+from .many import JOINT_PART, OrientJob, fallen, look_again, outcomes_of
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
@@ -229,12 +229,16 @@ def orient_many(
     chosen, whole, listed = _options(method, compass, options), as_progress(progress), _listed(photos)
     job = OrientJob(dem, chosen)
     tasks = [_task(photo, chosen, facts) for photo in listed]
-    outcomes = cluster_outcomes(client, job, tasks, whole) if client else outcomes_of(job, tasks, whole, workers)
-    answers = _answers(outcomes, listed)
-    together = look_again(job, tasks, list(answers), whole, workers) if joint else answers
+
+    def orient_all(tasks: list, part: Progress) -> Iterator[Any]:
+        return cluster_outcomes(client, job, tasks, part) if client else outcomes_of(job, tasks, part, workers)
+
+    alone = subtask(whole, 0.0, JOINT_PART if joint else 1.0)
+    answers = _answers(orient_all(tasks, alone), listed)
+    together = look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0)) if joint else answers
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
-        whole.report((index + 1) / len(listed))
+        whole.report(1.0 if joint else (index + 1) / len(listed))
 
 
 def _answers(outcomes: Iterable[Any], listed: list[PhotoLike]) -> Iterator[OrientedPhoto]:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from .base.errors import Cancelled, TerrainError
-from .base.progress import SILENT
+from .base.progress import SILENT, checkpoint, subtask
 from .io.local_copy import local_copy
 from .io.orientation_file import orientation_mark
 from .io.whole_file import staged
@@ -43,13 +43,15 @@ class PhotosOfChunk:
 
     job: OrientJob
 
-    def __call__(self, tasks):
+    def __call__(self, tasks, progress=SILENT):
         """Orient (PhotoRequest, Photo or None) one after the other in the process that calls."""
         orient, outcomes = self.job(), []
-        for request, photo in tasks:
+        for number, (request, photo) in enumerate(tasks):
+            part = subtask(progress, number / len(tasks), (number + 1) / len(tasks))
+            checkpoint(part, 0.0)
             try:
                 with local_copy(request.path) as path:
-                    found = orient((replace(request, path=path), photo), SILENT)
+                    found = orient((replace(request, path=path), photo), part)
                 outcomes.append(Outcome(_named(found, request.path)))
             except TerrainError:
                 raise
@@ -76,9 +78,9 @@ class RowsOfChunk:
     job: OrientJob
     max_distance_m: float
 
-    def __call__(self, tasks):
+    def __call__(self, tasks, progress=SILENT):
         """Orient the photographs and give a list of `PointRow`."""
-        outcomes = PhotosOfChunk(self.job)(tasks)
+        outcomes = PhotosOfChunk(self.job)(tasks, progress)
         return [self._row(task, outcome) for task, outcome in zip(tasks, outcomes)]
 
     def lost(self, task):
@@ -135,13 +137,12 @@ def rows_with_files(work, tasks, folder, client=None, workers=1, progress=SILENT
     folder.mkdir(parents=True, exist_ok=True)
     chunks = _chunks(tasks)
     files = [folder / f"chunk-{number:06d}-{_mark(work, chunk)}.json" for number, chunk in enumerate(chunks)]
-    missing = [chunk for chunk, file in zip(chunks, files) if not file.exists()]
-    fresh = _run(work, missing, client, workers, progress)
-    for file in files:
-        if not file.exists():
-            rows = next(fresh)
-            with staged(file) as stage:
-                (stage / file.name).write_text(json.dumps([_plain(row) for row in rows]), encoding="utf-8")
+    # Asked once: another run may work in the same folder, and a chunk must not get the rows of another.
+    missing = [(chunk, file) for chunk, file in zip(chunks, files) if not file.exists()]
+    fresh = _run(work, [chunk for chunk, _ in missing], client, workers, progress)
+    for (_, file), rows in zip(missing, fresh):
+        with staged(file) as stage:
+            (stage / file.name).write_text(json.dumps([_plain(row) for row in rows]), encoding="utf-8")
     for file in files:
         yield from map(_restored, json.loads(file.read_text(encoding="utf-8")))
 
@@ -160,8 +161,8 @@ def _run(work, chunks, client, workers, progress):
     """Yield the list of results of each chunk, in order; a chunk whose process dies is done photo by photo."""
     for done, (chunk, result) in enumerate(zip(chunks, _results(work, chunks, client, workers, progress)), 1):
         if result is None:
-            singles = [[task] for task in chunk]
-            found = _results(work, singles, client, workers, SILENT)
+            singles, part = [[task] for task in chunk], subtask(progress, (done - 1) / len(chunks), done / len(chunks))
+            found = _results(work, singles, client, workers, part)
             result = [work.lost(task) if one is None else one[0] for task, one in zip(chunk, found)]
         progress.report(done / len(chunks))
         yield result
@@ -174,8 +175,8 @@ def _results(work, chunks, client, workers, progress):
         return
     with Team(_Here(work), worker_count(workers, len(chunks))) as team:
         team.begin(chunks, progress)
-        for _ in chunks:
-            outcome = team.take(progress)
+        for index in range(len(chunks)):
+            outcome = team.take(subtask(progress, index / len(chunks), (index + 1) / len(chunks)))
             yield None if isinstance(outcome.error, WorkerLostError) else outcome.result()
 
 
@@ -186,7 +187,7 @@ class _Here:
     work: Any
 
     def __call__(self):
-        return lambda chunk, progress: self.work(chunk)
+        return self.work
 
 
 def _on_cluster(work, chunks, client, progress):

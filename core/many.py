@@ -21,6 +21,9 @@ from .workers.interpreter import worker_count
 from .workers.pool import WorkerLostError
 from .workers.team import Team
 
+JOINT_PART = 0.7
+"""Share of the progress at which all photographs of a walk have been oriented alone."""
+
 UNEXPECTED = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
 
 
@@ -138,31 +141,35 @@ def outcomes_of(job, tasks, progress, workers):
             yield team.take(subtask(progress, index / len(tasks), (index + 1) / len(tasks)))
 
 
-def look_again(job, tasks, photos, progress, workers):
-    """Orient once more, with what their neighbours tell, the photographs of a run that no skyline decides alone.
+def look_again(tasks, photos, orient_all, progress):
+    """Orient again, with hints from their neighbours, the photographs that were not accepted by their skyline alone.
 
     Parameters
     ----------
-    job, tasks, progress, workers
-        As for `outcomes_of`.
+    tasks : list of (PhotoRequest or None, Photo or None)
     photos : list of OrientedPhoto
         Results of the tasks.
+    orient_all : callable
+        Gives the outcomes of (tasks, progress) in order, as `outcomes_of` and `cluster_outcomes` do.
+    progress : Progress
 
     Returns
     -------
     list of OrientedPhoto
-        Photographs that were accepted, and those without helpful neighbours, are the same objects.
+        Photographs that were accepted, those without helpful neighbours, and those for which the user has given a
+        heading are the same objects.
     """
     hints, photos = neighbour_hints(photos), list(photos)
+    hints = {index: hint for index, hint in hints.items() if tasks[index][0].heading_deg is None}
     again = [(hint.applied(tasks[index][0]), tasks[index][1]) for index, hint in hints.items()]
-    for (index, hint), outcome in zip(hints.items(), outcomes_of(job, again, progress, workers)):
+    for (index, hint), outcome in zip(hints.items(), orient_all(again, progress)):
         if outcome.error is None:
             photos[index] = better(photos[index], outcome.value, hint)
     return photos
 
 
 def station_of(request):
-    """Give what photographs from one place have in common, for `Pool.map`; None if the file alone tells."""
+    """Give what photographs from one place have in common, for `Pool.map`; None if only the file has the position."""
     if request.longitude_deg is None or request.latitude_deg is None or request.prefer_photo_position:
         return None
     return request.longitude_deg, request.latitude_deg, request.eye_elevation_m, request.eye_height_m

@@ -1,4 +1,4 @@
-"""What photographs of one walk know together: the clock of their camera."""
+"""The offset of a camera's clock from the skylines of photographs along a track."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from .base.blas import one_blas_thread
 from .base.errors import MissingMetadataError, ObserverError, PhotoError
-from .base.progress import SILENT, subtask
+from .base.progress import SILENT, checkpoint, subtask
 from .base.terrain import Observer
 from .batch import PREVIEW_PX
 from .horizon.horizon import HorizonOptions, horizon_profile
@@ -49,7 +49,7 @@ class SkylineFit:
         self._views, self._horizons = [], OrderedDict()
 
     def add(self, path, hfov_deg=None):
-        """Read a photograph; tell whether it shows a skyline that can help.
+        """Read a photograph; return whether it shows a skyline that can help.
 
         Parameters
         ----------
@@ -124,6 +124,10 @@ def clock_from_skylines(
     Returns
     -------
     ClockAnswer
+
+    Raises
+    ------
+    Cancelled
     """
     fit = SkylineFit(dem)
     times: list = []
@@ -133,9 +137,7 @@ def clock_from_skylines(
     for count, index in enumerate(spread):
         if len(times) == options.photos:
             break
-        if progress.cancelled():
-            break
+        checkpoint(progress, 0.2 * count / len(spread))
         if fit.add(paths[index]):
             times.append(float(times_s[index]))
-        progress.report(0.2 * count / len(spread))
     return solve_clock(times, track, fit, options, track_options, subtask(progress, 0.2, 1.0))

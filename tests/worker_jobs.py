@@ -112,6 +112,50 @@ class Quick:
         return OrientedPhoto(path, Orientation("accepted", "", (best,)), camera=camera)
 
 
+@dataclass(frozen=True, eq=False)
+class Hinted:
+    """`core.many.OrientJob` without work: a photograph is accepted if its request gives a heading."""
+
+    dem: object
+    options: object
+
+    @staticmethod
+    def answer(path, heading_deg):
+        """Give a photograph: accepted at a heading, or else ambiguous at 200 degrees."""
+        from skyline_viewshed.core.base.camera import Camera, Pose
+        from skyline_viewshed.core.base.model import Candidate, Orientation, OrientedPhoto
+
+        camera, status = Camera(800, 600, 700.0), "ambiguous" if heading_deg is None else "accepted"
+        best = Candidate(Pose(200.0 if heading_deg is None else heading_deg, 0.0, 0.0), camera, 1.0)
+        return OrientedPhoto(path, Orientation(status, "", (best,)), camera=camera)
+
+    def __call__(self):
+        """Return the function of one photograph."""
+        return self.work
+
+    def work(self, task, progress):
+        """Answer and report."""
+        progress.report(0.5)
+        return self.answer(task[0].path, task[0].heading_deg)
+
+
+@dataclass(frozen=True)
+class First:
+    """A job that only the process that comes first accepts."""
+
+    marker: str
+
+    def __call__(self):
+        """Return the function of one task, which passes it on slowly."""
+        os.close(os.open(self.marker, os.O_CREAT | os.O_EXCL))
+
+        def work(task, progress):
+            time.sleep(0.3)
+            return task
+
+        return work
+
+
 class Silence:
     """A progress that says nothing and goes on."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from pathlib import Path
 
 from ...core.io.whole_file import unused_name
@@ -23,6 +24,8 @@ def orientations_out(name="ORIENTATIONS"):
 class KeptOrientations:
     """Orients photographs, or reads the result of an earlier run from the folder.
 
+    `is_missing` is called for all requests of a run, and then `orient` for the same ones in the same order.
+
     Failures are not stored: they are quick to find, and their cause may lie outside the photo, such as a missing
     package.
 
@@ -34,7 +37,7 @@ class KeptOrientations:
     """
 
     def __init__(self, folder, feedback):
-        self.folder, self.feedback, self._taken, self._files = folder, feedback, set(), {}
+        self.folder, self.feedback, self._taken, self._files = folder, feedback, set(), deque()
 
     def is_missing(self, request, dem, options):
         """Tell whether a request must be oriented: no file of an earlier run holds its result."""
@@ -44,8 +47,9 @@ class KeptOrientations:
             return True
         path = Path(self.folder) / f"{unused_name(Path(request.path).stem, self._taken)}.npz"
         mark = orientation_mark(request, dem, options)
-        self._files[id(request)] = path, mark, holds(path, mark)
-        return not self._files[id(request)][2]
+        held = holds(path, mark)
+        self._files.append((path, mark, held))
+        return not held
 
     def orient(self, request, team, progress):
         """Return the `OrientedPhoto` of a request from its file, or else the next that the team has oriented."""
@@ -53,7 +57,7 @@ class KeptOrientations:
 
         if not self.folder:
             return oriented_by(team, progress)
-        path, mark, held = self._files[id(request)]
+        path, mark, held = self._files.popleft()
         if held:
             oriented = unpacked(path, mark)
             if oriented is not None:

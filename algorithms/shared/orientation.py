@@ -25,8 +25,6 @@ from .workers import team_for
 NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD", "POSITION_ERROR_FIELD")
 LENS_FIELDS = ("hfov", "vfov")
 DEFAULT_TOLERANCE_DEG = 20.0
-JOINT_PART = 0.7
-"""Share of the progress bar at which all photographs have been oriented alone."""
 
 
 def add_field_parameters(algorithm):
@@ -172,18 +170,29 @@ def orient_each(
     A photo's fault becomes a status and a warning; cancelling reports how far the run came and raises `Cancelled`.
     """
     from ...core.batch import doubt_of_heights
-    from ...core.many import OrientJob, station_of
+    from ...core.many import OrientJob
 
-    if joint:
-        yield from _oriented_together(requests, dem, options, feedback, folder, share, workers)
-        return
     doubt = doubt_of_heights([request for request in requests if request is not None], dem)
     if doubt is not None:
         feedback.pushWarning(in_users_language(doubt))
-    progress, count = subtask(FeedbackProgress(feedback), *share), len(requests)
-    kept, told = KeptOrientations(folder, feedback), RunLog(feedback, len(requests))
-    missing = [request for request in requests if request is not None and kept.is_missing(request, dem, options)]
-    with team_for(OrientJob(dem, options), workers, len(missing), feedback) as team:
+    job, told = OrientJob(dem, options), RunLog(feedback, len(requests))
+    if joint:
+        share = share[0], share[0] + part_of_photo * (share[1] - share[0])
+        yield from _oriented_together(requests, job, folder, told, share, workers)
+    else:
+        yield from _oriented_alone(requests, job, folder, told, (*share, part_of_photo), workers)
+    told.end()
+    checkpoint(FeedbackProgress(feedback), share[1])
+
+
+def _oriented_alone(requests, job, folder, told, share, workers):
+    """Orient the photographs one by one; `share` ends with the orientation's part of each photo's share."""
+    from ...core.many import station_of
+
+    feedback, count, (start, stop, part_of_photo) = told.feedback, len(requests), share
+    progress, kept = subtask(FeedbackProgress(feedback), start, stop), KeptOrientations(folder, feedback)
+    missing = [r for r in requests if r is not None and kept.is_missing(r, job.dem, job.options)]
+    with team_for(job, workers, len(missing), feedback) as team:
         tasks = [(request, None) for request in missing]
         team.begin(tasks, progress, [station_of(request) for request in missing])
         for index, request in enumerate(requests):
@@ -201,23 +210,23 @@ def orient_each(
                 raise
             told.answer(name, oriented.orientation)
             yield oriented
-    told.end()
-    checkpoint(progress, 1.0)
 
 
-def _oriented_together(requests, dem, options, feedback, folder, share, workers):
+def _oriented_together(requests, job, folder, told, share, workers):
     """Orient all photographs alone, then let those that were accepted help the others."""
-    from ...core.many import OrientJob, look_again
+    from ...core.many import JOINT_PART, look_again, outcomes_of
 
-    middle = share[0] + JOINT_PART * (share[1] - share[0])
-    photos = list(orient_each(requests, dem, options, feedback, folder, (share[0], middle), workers=workers))
+    middle, feedback = share[0] + JOINT_PART * (share[1] - share[0]), told.feedback
+    photos = list(_oriented_alone(requests, job, folder, told, (share[0], middle, 1.0), workers))
     feedback.setProgressText(tr("Photographs that help one another"))
     progress = subtask(FeedbackProgress(feedback), middle, share[1])
-    together = look_again(OrientJob(dem, options), [(request, None) for request in requests], photos, progress, workers)
-    helped = sum(before is not after for before, after in zip(photos, together))
-    feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=helped))
+    tasks = [(request, None) for request in requests]
+    together = look_again(tasks, photos, lambda tasks, part: outcomes_of(job, tasks, part, workers), progress)
+    helped = [(before, after) for before, after in zip(photos, together) if before is not after]
+    feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
+    for before, after in helped:
+        told.revise(Path(after.path).name, before.orientation, after.orientation)
     yield from together
-    checkpoint(progress, 1.0)
 
 
 def add_joint_parameter(algorithm):

@@ -50,9 +50,20 @@ class RunLog:
         if orientation.status in ("failed", "rejected"):
             warn(self.feedback, name, orientation.message)
 
+    def revise(self, name, before, orientation):
+        """Replace the answer of a photograph by a better one; `before` is the `Orientation` that was told first."""
+        from ...core.report.facts import status_word
+
+        if before.status not in RELIABLE:
+            self._doubtful[status_word(before.status, marked)].remove(name)
+        self._done -= 1
+        self.answer(name, orientation)
+
     def end(self):
-        """Name the photographs that need a person's eye, by verdict."""
+        """Name the photographs that a person should check, by verdict."""
         for verdict, names in self._doubtful.items():
+            if not names:
+                continue
             listed = ", ".join(names[:MOST_NAMED])
             if len(names) > MOST_NAMED:
                 listed = tr("{names} and {count} more").format(names=listed, count=len(names) - MOST_NAMED)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import lru_cache
@@ -25,18 +26,31 @@ NAMES = (
 )
 SUFFIXES = ("", "64_", "_64")
 
+_lock = threading.Lock()
+_before: list[tuple[Any, int]] = []
+_blocks = [0]
+
 
 @contextmanager
 def one_blas_thread() -> Iterator[None]:
-    """Limit the BLAS libraries of this process to one thread while the block runs; without a known one, do nothing."""
-    before = [(get(), set_) for get, set_ in _controls()]
-    for _, set_ in before:
-        set_(1)
+    """Limit the BLAS libraries of this process to one thread while the block runs; without a known one, do nothing.
+
+    The number is that of the whole process: if several threads are in such a block, the last one to leave restores it.
+    """
+    with _lock:
+        _blocks[0] += 1
+        if _blocks[0] == 1:
+            for get, set_ in _controls():
+                _before.append((set_, get()))
+                set_(1)
     try:
         yield
     finally:
-        for count, set_ in before:
-            set_(count)
+        with _lock:
+            _blocks[0] -= 1
+            while _blocks[0] == 0 and _before:
+                set_, count = _before.pop()
+                set_(count)
 
 
 @lru_cache(maxsize=1)

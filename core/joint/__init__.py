@@ -1,1 +1,1 @@
-"""What photographs of one walk know about one another."""
+"""Approximate headings that the accepted photographs of a walk give to others."""

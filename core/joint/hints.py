@@ -1,4 +1,4 @@
-"""What accepted photographs tell about the heading of others: by features in common, and by the error of the compass.
+"""Approximate headings from accepted photographs nearby: by features in common, and by the error of the compass.
 
 A compass is wrong in much the same way for an hour, as the steel and the calibration that mislead it stay the same. Its
 error at accepted photographs therefore corrects its readings at the others.
@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..base.angles import difference, wrap_360
+from ..base.curvature import EARTH_RADIUS_M
 from ..base.messages import Message
+from ..base.status import RELIABLE
 from .ties import features, turn_between, turned
 
-TRUSTED = ("accepted", "confirmed")
 NEAR_M = 25.0
 """Photographs whose positions differ by less may differ by a turn."""
 TIE_SIGMA_DEG = 1.5
@@ -26,7 +27,6 @@ AGREEING_DEG = 6.0
 """Largest spread of their errors."""
 COMPASS_SIGMA_DEG = 4.0
 """Spread of a reading once the error that it shares with its neighbours is removed."""
-METRES_PER_DEGREE = 111_195.0
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class NeighbourHint:
 
 
 def neighbour_hints(photos):
-    """Find hints for the photographs of a run that no skyline decides alone.
+    """Find hints for the photographs of a run that were not accepted by their skyline alone.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def neighbour_hints(photos):
     dict
         `NeighbourHint` by the photograph's index.
     """
-    trusted = [index for index, photo in enumerate(photos) if photo.status in TRUSTED]
+    trusted = [index for index, photo in enumerate(photos) if photo.status in RELIABLE]
     open_ones = [index for index, photo in enumerate(photos) if photo.status in ("ambiguous", "rejected")]
     known: dict = {}
     found: dict = {}
@@ -86,7 +86,7 @@ def better(alone, again, hint):
     if again.heading_deg is None:
         return alone
     contradicts = alone.heading_deg is None or _away(alone, hint) > max(3 * hint.sigma_deg, 5.0)
-    if again.status not in TRUSTED and not (contradicts and _away(again, hint) <= 2 * hint.sigma_deg):
+    if again.status not in RELIABLE and not (contradicts and _away(again, hint) <= 2 * hint.sigma_deg):
         return alone
     return replace(again, orientation=replace(again.orientation, notes=(*again.orientation.notes, hint.note)))
 
@@ -163,7 +163,7 @@ def _distance_m(one, other):
         return np.inf
     north = one.latitude_deg - other.latitude_deg
     east = difference(one.longitude_deg, other.longitude_deg) * np.cos(np.radians(one.latitude_deg))
-    return METRES_PER_DEGREE * float(np.hypot(east, north))
+    return EARTH_RADIUS_M * np.radians(float(np.hypot(east, north)))
 
 
 def _apart_s(one, other):

@@ -23,7 +23,7 @@ LARGEST_STRETCH = 0.06
 
 
 def features(picture):
-    """Find features of a picture; None without OpenCV or with too few.
+    """Find features of a picture; None without OpenCV 4.4 or newer, or with too few.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def features(picture):
     (points, descriptors) or None
     """
     cv2 = available("cv2")
-    if cv2 is None or picture is None:
+    if picture is None or not hasattr(cv2, "SIFT_create"):  # missing, or older than 4.4
         return None
     grey = cv2.cvtColor(np.ascontiguousarray(picture), cv2.COLOR_RGB2GRAY)
     points, descriptors = cv2.SIFT_create(3000).detectAndCompute(grey, None)
@@ -56,7 +56,7 @@ def turn_between(one, other, one_focal_px, other_focal_px):
     Returns
     -------
     (3, 3) array or None
-        None where the pictures show too little in common, or differ by more than a turn.
+        None if the pictures show too little in common, or differ by more than a turn.
     """
     cv2 = available("cv2")
     (shape, (points, descriptors)), (other_shape, (other_points, other_descriptors)) = one, other
@@ -67,7 +67,11 @@ def turn_between(one, other, one_focal_px, other_focal_px):
     source = points[[match.queryIdx for match in good]]
     target = other_points[[match.trainIdx for match in good]]
     homography, inside = cv2.findHomography(source, target, cv2.RANSAC, INLIER_PX)
-    if homography is None or inside.sum() < max(LEAST_MATCHES, LEAST_SHARE * len(good)):
+    if (
+        homography is None
+        or np.linalg.det(homography) == 0
+        or inside.sum() < max(LEAST_MATCHES, LEAST_SHARE * len(good))
+    ):
         return None
     stretched = np.linalg.inv(_lens(other_focal_px, other_shape)) @ homography @ _lens(one_focal_px, shape)
     left, values, right = np.linalg.svd(stretched / np.cbrt(np.linalg.det(stretched)))

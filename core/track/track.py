@@ -6,11 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..base.curvature import EARTH_RADIUS_M
 from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
-
-EARTH_M = 6_371_000.0
-
 
 class TrackError(SkylineViewshedError):
     """The track cannot be used."""
@@ -128,7 +126,7 @@ def place_at(track, time_s, options=TrackOptions()):  # noqa: B008 - frozen
     Returns
     -------
     Placed or Message
-        The reason, where the track has nothing.
+        The reason, if the track has no place at that time.
     """
     times = track.time_s
     if not times[0] <= time_s <= times[-1]:
@@ -158,7 +156,7 @@ def local_m(track, longitude_deg, latitude_deg):
     """
     east = (longitude_deg - track.longitude_deg[0] + 180) % 360 - 180
     north = latitude_deg - track.latitude_deg[0]
-    metres = np.radians(1.0) * EARTH_M
+    metres = np.radians(1.0) * EARTH_RADIUS_M
     return east * metres * np.cos(np.radians(track.latitude_deg[0])), north * metres
 
 

@@ -183,7 +183,7 @@ class _Run:
             send(worker.process.stdin, (index, self.arguments[index]))
 
     def take_in(self, patience_s):
-        """Note what the messages say that have come, waiting a moment for the first one."""
+        """Handle the messages that have come, waiting up to `patience_s` for the first one."""
         with suppress(queue.Empty):
             self._hear(*self.pool._inbox.get(timeout=patience_s) if patience_s else self.pool._inbox.get_nowait())
             while True:

@@ -64,8 +64,9 @@ class Worker:
 
     def _listen(self):
         try:
-            self._first.put(receive(self.process.stdout))
-            self.started = True
+            answer = receive(self.process.stdout)
+            self._first.put(answer)
+            self.started = answer[0] == "ready"
             while True:
                 self._inbox.put((self, receive(self.process.stdout)))
         except Exception:  # the end of the pipe, or half a message: the process is gone

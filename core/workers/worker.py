@@ -18,7 +18,7 @@ REPORTS_PER_S = 5.0
 
 
 def serve():
-    """Work until the pool closes the pipe; its end, however it comes, ends this process at once."""
+    """Work until the pipe from the pool closes; then this process ends at once."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches all processes of a terminal; the pool decides
     requests = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")

@@ -39,6 +39,22 @@ def test_each_photo_has_verdict_heading_and_time_left_and_the_doubtful_are_named
     assert feedback.infos[3:] == ["Check these photos (ambiguous): b.jpg, d.jpg", "Check these photos (failed): c.jpg"]
 
 
+def test_a_better_answer_takes_the_place_of_the_first(listener):
+    feedback = listener()
+    log = RunLog(feedback, 3)
+    first = {"a.jpg": answer("accepted", 5.0), "b.jpg": answer("ambiguous", 12.0), "c.jpg": answer("rejected", 9.0)}
+    for name, orientation in first.items():
+        log.answer(name, orientation)
+    log.revise("b.jpg", first["b.jpg"], answer("accepted", 77.0))
+    log.revise("c.jpg", first["c.jpg"], answer("ambiguous", 78.0))
+    log.end()
+    assert feedback.infos[3:] == [
+        "b.jpg: accepted, heading 77.0°",
+        "c.jpg: ambiguous, heading 78.0°",
+        "Check these photos (ambiguous): c.jpg",
+    ]
+
+
 def test_a_long_list_is_cut_and_counted(listener):
     feedback = listener()
     log = RunLog(feedback, 60)

@@ -12,8 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import worker_jobs
-from qgis.core import QgsProcessingException, QgsVectorLayer
+from qgis.core import QgsField, QgsProcessingException, QgsVectorLayer, edit
+from qgis.PyQt.QtCore import QVariant
 from skyline_viewshed.core import many
+from skyline_viewshed.core.base.messages import Message
+from skyline_viewshed.core.joint.hints import NeighbourHint
 from skyline_viewshed.core.workers import pool as pools
 from whole_runs import as_from_a_terminal, rows_of
 
@@ -80,6 +83,30 @@ def test_extractskyline_gives_the_same_with_two_processes(run, scene, photos, tm
     assert attributes(tmp_path / "1.gpkg") == attributes(tmp_path / "2.gpkg")
     for picture in (tmp_path / "o1").iterdir():
         assert picture.read_bytes() == (tmp_path / "o2" / picture.name).read_bytes()
+
+
+def test_a_joint_run_tells_the_final_verdicts_and_keeps_given_headings(run, scene, photos, tmp_path, monkeypatch):
+    """Three photographs are ambiguous alone; two get a hint, of which one already has a heading from its field."""
+    hint = NeighbourHint(30.0, 5.0, Message("A neighbour helped."))
+    monkeypatch.setattr(many, "OrientJob", worker_jobs.Hinted)
+    monkeypatch.setattr(many, "neighbour_hints", lambda photos: {0: hint, 1: hint})
+    run("importphotos", {"FOLDER": str(photos), "OUTPUT": str(tmp_path / "photos.gpkg")})
+    layer = QgsVectorLayer(str(tmp_path / "photos.gpkg"), "photos", "ogr")
+    names = [feature["filename"] for feature in layer.getFeatures()]
+    with edit(layer):
+        layer.addAttribute(QgsField("hint", QVariant.Double))
+        layer.updateFields()
+        second = list(layer.getFeatures())[1]
+        layer.changeAttributeValue(second.id(), layer.fields().lookupField("hint"), 250.0)
+    given = {"INPUT": str(tmp_path / "photos.gpkg"), "DEM": str(scene.dem), "HEADING_HINT_FIELD": "hint", "JOINT": True}
+    results, feedback = run("orientphotos", {**given, "OUTPUT": str(tmp_path / "o.gpkg"), "WORKERS": 1})
+    rows = {row["filename"]: row for row in rows_of(tmp_path / "o.gpkg")}
+    assert [rows[name]["heading"] for name in names[:3]] == [30.0, 250.0, 200.0]
+    assert results["ACCEPTED"] == 2
+    assert "1 photos gained from their neighbours." in feedback.infos
+    assert f"{names[0]}.jpg: accepted, heading 30.0°" in feedback.infos
+    checked = [text for text in feedback.infos if text.startswith("Check these photos")]
+    assert len(checked) == 1 and names[0] not in re.split(r"[ ,.]+", checked[0]) and names[2] in checked[0]
 
 
 def test_a_worker_that_dies_costs_its_photo_and_not_the_run(run, scene, photos, tmp_path, monkeypatch):

@@ -70,6 +70,36 @@ def test_a_stopped_run_leaves_whole_files_only(work, tasks, tmp_path):
     assert headings(rows_with_files(work, tasks, tmp_path / "chunks")) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
+def test_a_chunk_that_another_run_finishes_meanwhile_gets_no_other_rows(work, tasks, tmp_path):
+    expected = list(rows_with_files(work, tasks, tmp_path / "theirs"))
+    second = sorted((tmp_path / "theirs").iterdir())[1]
+
+    class Meanwhile:
+        cancelled = worker_jobs.Silence().cancelled
+
+        def report(self, fraction):
+            if not (tmp_path / "ours" / second.name).exists():
+                shutil.copy(second, tmp_path / "ours")
+
+    assert list(rows_with_files(work, tasks, tmp_path / "ours", progress=Meanwhile())) == expected
+    for ours, theirs in zip(*(sorted((tmp_path / name).iterdir()) for name in ("ours", "theirs"))):
+        assert ours.name == theirs.name and ours.read_bytes() == theirs.read_bytes()
+
+
+def test_a_chunk_stops_at_the_next_photograph(work, tasks):
+    class Stops:
+        def report(self, fraction):
+            self.at = fraction
+
+        def cancelled(self):
+            return getattr(self, "at", 0) > 0.2
+
+    done = Quick.done()
+    with pytest.raises(Cancelled):
+        work(tasks, Stops())
+    assert Quick.done() - done == 3
+
+
 def test_a_photograph_that_kills_its_process_costs_nothing_else(work, tasks, tmp_path):
     deadly = tmp_path / "deadly.jpg"
     deadly.write_bytes(b"")
@@ -127,7 +157,7 @@ def test_outcomes_come_back_from_the_cluster_in_order(client, work, tasks):
 
 
 def test_killing_the_whole_run_and_starting_again(scene, tmp_path):
-    """The command line with four processes, killed at some moment; the repeat takes up the chunks."""
+    """The command line with two processes, killed once a chunk is finished; the repeat does not make it again."""
     import subprocess
     import sys
     import time
@@ -138,17 +168,25 @@ def test_killing_the_whole_run_and_starting_again(scene, tmp_path):
     folder.mkdir()
     for number in range(4):
         shutil.copy(scene.folder / "north.jpg", folder / f"{number}.jpg")
-    command = [sys.executable, "-m", "skyline_viewshed", "orient", folder, scene.dem, "-o", tmp_path / "p.gpkg",
-               "--results", tmp_path / "chunks", "--workers", "4"]  # fmt: skip
-    for kind in (signal.SIGKILL, signal.SIGINT):
+    code = "from skyline_viewshed.core import cli, cluster; cluster.CHUNK = 1; raise SystemExit(cli.main())"
+    command = [sys.executable, "-c", code, "orient", folder, scene.dem, "-o", tmp_path / "p.gpkg",
+               "--results", tmp_path / "chunks", "--workers", "2"]  # fmt: skip
+    made = {}
+    for least, kind in ((1, signal.SIGKILL), (2, signal.SIGINT)):
         process = subprocess.Popen(
             [str(word) for word in command], env=PLAIN, stderr=subprocess.DEVNULL, preexec_fn=as_from_a_terminal
         )
-        time.sleep(3.0)
+        deadline = time.monotonic() + 60
+        while len(list((tmp_path / "chunks").glob("*.json"))) < least and time.monotonic() < deadline:
+            time.sleep(0.01)
         process.send_signal(kind)
         process.wait(60)
+        files = {file: file.stat().st_mtime_ns for file in (tmp_path / "chunks").glob("*.json")}
+        assert len(files) >= least and made.items() <= files.items(), "a finished chunk is never made again"
         assert not (tmp_path / "p.gpkg").exists() or process.returncode == 0
+        made = files
     done = subprocess.run([str(word) for word in command], env=PLAIN, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert [row["status"] for row in rows_of(tmp_path / "p.gpkg")] == ["accepted"] * 4
-    assert len(list((tmp_path / "chunks").glob("*.json"))) == 1
+    files = {file: file.stat().st_mtime_ns for file in (tmp_path / "chunks").glob("*.json")}
+    assert len(files) == 4 and made.items() <= files.items()

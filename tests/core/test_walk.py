@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scenes import small_mountains
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_from_35mm_px
+from skyline_viewshed.core.base.errors import Cancelled
 from skyline_viewshed.core.base.model import PhotoMetadata
 from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.io.write_photo import write_photo
@@ -61,3 +62,18 @@ def test_photographs_without_a_skyline_tell_nothing(walk, tmp_path):
         write_photo(paths[-1], pixels, PhotoMetadata(paths[-1], 640, 480, focal_length_35mm=26.0))
     answer = clock_from_skylines([*paths, str(tmp_path / "missing.jpg")], [*times, times[0]], track, terrain, OPTIONS)
     assert answer.offset_s is None and "cannot be determined" in answer.message
+
+
+def test_cancelling_while_photographs_are_read_gives_no_answer(walk):
+    """An answer that there are too few photographs would be untrue."""
+    terrain, track, paths, times = walk
+
+    class Stops:
+        def report(self, fraction):
+            self.at = fraction
+
+        def cancelled(self):
+            return getattr(self, "at", 0.0) > 0.0
+
+    with pytest.raises(Cancelled):
+        clock_from_skylines(paths[:2], times[:2], track, terrain, OPTIONS, progress=Stops())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scenes import small_mountains
@@ -63,5 +65,7 @@ def test_without_opencv_or_features_there_are_none(monkeypatch):
     from skyline_viewshed.core.joint import ties
 
     assert features(np.zeros((60, 80, 3), np.uint8)) is None and features(None) is None
-    monkeypatch.setattr(ties, "available", lambda name: None)
-    assert features(np.zeros((600, 800, 3), np.uint8)) is None
+    noise = np.random.default_rng(0).integers(0, 255, (200, 300, 3)).astype(np.uint8)
+    for found in (None, SimpleNamespace(__version__="4.2.0")):
+        monkeypatch.setattr(ties, "available", lambda name, found=found: found)
+        assert features(noise) is None

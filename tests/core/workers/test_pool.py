@@ -18,7 +18,7 @@ from skyline_viewshed.core.base.progress import SILENT
 from skyline_viewshed.core.workers import pool as pools
 from skyline_viewshed.core.workers.pool import LOST, NoWorkersError, Pool, WorkerLostError
 from skyline_viewshed.core.workers.team import Team
-from worker_jobs import Refused, Squares
+from worker_jobs import First, Refused, Squares
 
 HERE = Path(__file__).resolve().parent
 
@@ -63,6 +63,12 @@ def test_a_worker_that_dies_costs_its_task_only():
     lost = [index for index, outcome in enumerate(outcomes) if isinstance(outcome.error, WorkerLostError)]
     assert lost == [1, 4, 5] and outcomes[1].error.message == LOST
     assert [outcomes[index].result() for index in (0, 2, 3, 6)] == [1.0, 4.0, 9.0, 16.0]
+
+
+def test_a_later_process_that_refuses_the_job_costs_no_task(tmp_path):
+    with Pool(First(str(tmp_path / "marker")), 2) as pool:
+        assert [outcome.result() for outcome in pool.map(list(range(8)), SILENT)] == list(range(8))
+        assert len(pool._workers) == 1, "no more are started after some failed starts"
 
 
 def test_what_libraries_print_does_not_disturb_the_messages():
