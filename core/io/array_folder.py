@@ -17,17 +17,15 @@ UNREADABLE = OSError, ValueError, EOFError
 
 
 def mark_of(dem, *facts):
-    """Make a digest of a DEM's file and of further facts, which are compared by their `repr`.
+    """Make a digest of a DEM, as its files and the user's choices give it, and of further facts, by their `repr`.
 
-    A changed DEM is detected by size and modification time.
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    *facts
+        Values whose `repr` tells them apart.
     """
-    try:
-        state = os.stat(dem.path)
-        file = os.path.abspath(dem.path), state.st_size, state.st_mtime_ns
-    except OSError:  # not a regular file: a database or an archive
-        file = dem.path
-    everything = repr((file, dem.band, dem.shape, dem.geotransform, dem.crs_wkt, facts))
-    return hashlib.sha256(everything.encode("utf-8", "surrogateescape")).hexdigest()[:32]
+    return hashlib.sha256(repr((dem.state, facts)).encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
 
 class ArrayFolder:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..base.angles import difference, wrap_360
+from ..base.curvature import METRES_PER_DEGREE
 from ..base.messages import Message
 from .ties import features, turn_between, turned
 
@@ -26,7 +27,6 @@ AGREEING_DEG = 6.0
 """Largest spread of their errors."""
 COMPASS_SIGMA_DEG = 4.0
 """Spread of a reading once the error that it shares with its neighbours is removed."""
-METRES_PER_DEGREE = 111_195.0
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.messages import Message
-from .fit import distance_m
+from .fitted import distance_m
 
 TABLE_PATH = Path(__file__).with_name("calibration.json")
 

@@ -1,10 +1,12 @@
 import os
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.errors import OutputError
 from skyline_viewshed.core.io.array_folder import ArrayFolder, mark_of
+from skyline_viewshed.core.io.dem_reading import DemReading
+from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.demo.dem_file import write_dem
 
 
 def fill(folder, value):
@@ -52,12 +54,12 @@ def test_a_folder_that_cannot_be_written_is_told(tmp_path):
         pass
 
 
-def test_the_mark_follows_the_file_and_the_facts(tmp_path):
-    path = tmp_path / "dem.tif"
-    path.write_bytes(b"1")
-    dem = SimpleNamespace(path=str(path), band=1, shape=(2, 2), geotransform=(0, 1, 0, 0, 0, -1), crs_wkt="x")
-    first = mark_of(dem, "area")
-    assert first == mark_of(dem, "area") != mark_of(dem, "other area")
-    path.write_bytes(b"22")
+def test_the_mark_follows_the_file_the_reading_and_the_facts(tmp_path):
+    path = str(tmp_path / "dem.tif")
+    write_dem(path, np.full((8, 8), 700.0, np.float32), 90.0, 8.0, 46.5)
+    first = mark_of(open_dem(path), "area")
+    assert first == mark_of(open_dem(path), "area") != mark_of(open_dem(path), "other area")
+    assert mark_of(open_dem(path, reading=DemReading(unit="feet")), "area") != first
+    assert mark_of(open_dem(path, reading=DemReading(nodata_ranges=((0.0, 1.0),))), "area") != first
     os.utime(path, (1, 1))
-    assert mark_of(dem, "area") != first
+    assert mark_of(open_dem(path), "area") != first
