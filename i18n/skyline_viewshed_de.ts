@@ -1455,11 +1455,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2338,8 +2333,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>Orte, die weiter von der aufgezeichneten Position entfernt sind, werden nicht probiert. Die Zeit wächst mit dem Quadrat.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Bis zu diesem Abstand werden Ringe von Orten geprüft; je größer er ist, desto weiter liegen sie auseinander.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3692,6 +3687,11 @@
         <location filename="../algorithms/shared/search_area.py"/>
         <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
         <translation>Wählen Sie, wo gesucht wird: ein Gebiet, einen Ausschnitt oder einen Radius um die aufgezeichneten Positionen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
@@ -5746,6 +5746,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Das DGM hat hier keinen Horizont.</translation>
     </message>
@@ -5853,6 +5854,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Wertung nach Richtung, Norden oben</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>Die Wahrscheinlichkeit ist am größten beim Azimut {heading}: {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Wahrscheinlichkeit einer eindeutigen Antwort nach Richtung, Norden oben</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6246,6 +6257,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>Der Kompass, berichtigt um seinen Fehler von {error}° bei {count} Fotos derselben Stunde (etwa {photo}), ergab die ungefähre Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>Das DGM hat im Gebiet keine Höhen. Wählen Sie ein anderes Gebiet oder ein DGM, das dort keine Lücken hat.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>

@@ -1455,11 +1455,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2338,8 +2333,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>No se prueban lugares más lejanos de la posición registrada. El tiempo crece con su cuadrado.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Se prueban anillos de lugares hasta esta distancia; cuanto mayor es, más separados están.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3692,6 +3687,11 @@
         <location filename="../algorithms/shared/search_area.py"/>
         <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
         <translation>Elija dónde buscar: un área, una extensión o un radio alrededor de las posiciones registradas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
@@ -5746,6 +5746,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>El MDE no tiene horizonte aquí.</translation>
     </message>
@@ -5853,6 +5854,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Puntuación por dirección, norte arriba</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>La probabilidad es máxima en el acimut {heading}: {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Probabilidad de una respuesta única por dirección, norte arriba</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6246,6 +6257,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>La brújula, corregida por su error de {error}° en {count} fotos de la misma hora (como {photo}), dio el rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>El MDE no tiene alturas en el área. Elija otra área o un MDE sin huecos en ella.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>

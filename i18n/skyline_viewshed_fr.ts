@@ -1455,11 +1455,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2338,8 +2333,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>Les lieux plus éloignés de la position enregistrée ne sont pas essayés. Le temps croît avec le carré.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Des anneaux de lieux sont essayés jusqu'à cette distance ; plus elle est grande, plus ils sont espacés.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3692,6 +3687,11 @@
         <location filename="../algorithms/shared/search_area.py"/>
         <source>Choose where to search: an area, an extent, or a radius around the recorded positions.</source>
         <translation>Choisissez où chercher : une zone, une emprise, ou un rayon autour des positions enregistrées.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
@@ -5746,6 +5746,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Le MNT n'a pas d'horizon ici.</translation>
     </message>
@@ -5853,6 +5854,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Score par direction, nord en haut</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>La probabilité est la plus grande à l'azimut {heading} : {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Probabilité d'une réponse unique par direction, nord en haut</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6246,6 +6257,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>La boussole, corrigée de son erreur de {error}° sur {count} photos de la même heure (comme {photo}), a donné le cap approximatif.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>Le MNT n'a pas d'altitudes dans la zone. Choisissez une autre zone, ou un MNT sans lacunes à cet endroit.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>
