@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import traceback
+from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
+    QgsProcessingException,
     QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsWkbTypes,
@@ -20,7 +22,7 @@ from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.elevation import dem_fault
 from .shared.feedback import FeedbackProgress, announce, warn
-from .shared.fields import qgis_fields
+from .shared.fields import photo_specs, qgis_fields
 from .shared.folder_photos import folder_fault, read_files
 from .shared.i18n import tr
 from .shared.layers import read_points
@@ -29,7 +31,7 @@ from .shared.located_report import add_places
 from .shared.outputs import write_features
 from .shared.photo_attributes import photos_in
 from .shared.reporting import PhotoReport
-from .shared.search_area import SearchArea, add_area_parameters, area_fault
+from .shared.search_area import SearchArea, add_area_parameters, area_fault, weights_source
 from .shared.styling import style_on_completion
 
 
@@ -145,6 +147,11 @@ class LocatePhotos(DemAlgorithm):
             or dem_fault(self, parameters, context)
         )
 
+    def prepareAlgorithm(self, parameters, context, feedback):
+        """Read from the layers what they provide in the main thread only."""
+        self.weights = weights_source(self, parameters, context)
+        return super().prepareAlgorithm(parameters, context, feedback)
+
     def compute(self, parameters, context, feedback):
         """Build the index, search photo by photo, then write."""
         rows = self._rows(parameters, context, feedback)
@@ -153,7 +160,7 @@ class LocatePhotos(DemAlgorithm):
         with PhotoReport(self, parameters, context, len(rows)) as report:
             for number, row in enumerate(rows):
                 located, index = search.locate(row, number, len(rows))
-                path, recorded = row.path or "", recorded_position(row)
+                path, recorded = row.path or "", (row.longitude_deg, row.latitude_deg)
                 best.append(best_row(path, located, recorded))
                 candidates += candidate_rows(path, located, recorded)
                 region = None if index is None else region_row(path, located, index)
@@ -167,10 +174,8 @@ class LocatePhotos(DemAlgorithm):
         folder = self.parameterAsString(parameters, "FOLDER", context)
         if not folder:
             return read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", ("HFOV_FIELD",))[1]
-        from .shared.fields import photo_specs
-
         paths = photos_in(folder, self.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
-        return read_files(paths, qgis_fields(photo_specs()), feedback)
+        return [with_position(row) for row in read_files(paths, qgis_fields(photo_specs()), feedback)]
 
     def _write(self, parameters, context, rows):
         wgs84, written = QgsCoordinateReferenceSystem("EPSG:4326"), {}
@@ -187,14 +192,12 @@ class LocatePhotos(DemAlgorithm):
         return written
 
 
-def recorded_position(row):
-    """Longitude and latitude of a row's point, or (None, None)."""
-    if row.longitude_deg is not None:
-        return row.longitude_deg, row.latitude_deg
-    if not row.feature.hasGeometry() or row.feature.geometry().isEmpty():
-        return None, None
-    point = row.feature.geometry().centroid().asPoint()
-    return point.x(), point.y()
+def with_position(row):
+    """Row of a file, with the position that the file records."""
+    if not row.feature.hasGeometry():
+        return row
+    point = row.feature.geometry().asPoint()
+    return replace(row, longitude_deg=point.x(), latitude_deg=point.y())
 
 
 class Search:
@@ -223,19 +226,27 @@ class Search:
 
     def locate(self, row, number, count):
         """Locate one photograph; return the answer and the index of its area, or None."""
-        from ..core.locate.answer import Located
-
         name = Path(row.path).name if row.path else tr("A point without a photo")
         announce(self.feedback, name, number, count)
         progress = subtask(FeedbackProgress(self.feedback), 0.95 * number / count, 0.95 * (number + 1) / count)
+        located, index = self._search(row, progress)
+        if located.status in ("failed", "rejected"):
+            warn(self.feedback, name, located.message)
+        return located, index
+
+    def _search(self, row, progress):
+        from ..core.locate.answer import Located
+        from ..core.locate.places import AreaError
+
         if row.path is None:
             return Located("", "failed", Message("The point names no photo. Fill its path field.")), None
-        area = self.area.around(*recorded_position(row))
-        if area is None:
-            message = Message("The photo has no recorded position to search around. Choose an area or an extent.")
-            warn(self.feedback, name, message)
-            return Located(row.path, "failed", message), None
-        index, log_weight = self._index(area, subtask(progress, 0.0, 0.5))
+        try:
+            area = self.area.around(row.longitude_deg, row.latitude_deg)
+            index, log_weight = self._index(area, subtask(progress, 0.0, 0.5))
+        except (AreaError, QgsProcessingException) as error:
+            if self.area.is_common:
+                raise
+            return Located(row.path, "failed", getattr(error, "message", str(error))), None
         try:
             located = self._located(row, index, log_weight, subtask(progress, 0.5, 1.0))
         except (TerrainError, OutputError, Cancelled):
@@ -244,8 +255,6 @@ class Search:
             self.feedback.pushDebugInfo(traceback.format_exc())
             message = Message("An unexpected error occurred on this photo. Please report it and attach the log.")
             located = Located(row.path, "failed", message)
-        if located.status in ("failed", "rejected"):
-            warn(self.feedback, name, located.message)
         return located, index
 
     def _index(self, area, progress):

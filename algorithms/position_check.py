@@ -62,7 +62,7 @@ class PositionCheck(DemAlgorithm):
         self.addParameter(shared.dem())
         self.addParameter(shared.band())
         self.addParameter(shared.dem_unit())
-        text = tr("Places farther from the recorded position are not tried. The time grows with its square.")
+        text = tr("Rings of places are tried out to this distance; the larger it is, the farther apart they lie.")
         self.addParameter(shared.distance("RADIUS", tr("Search radius (m)"), 500.0, text, minimum=50.0))
         text = tr("Field of view of the upright picture. NULL: computed from the focal length in the file.")
         field = shared.number_field("HFOV_FIELD", tr("Field with the horizontal field of view (°)"), text)
@@ -115,7 +115,9 @@ class PositionCheck(DemAlgorithm):
 
     def _options(self, parameters, context):
         from ..core.checking import CheckOptions
+        from ..core.horizon.horizon import HorizonOptions
         from ..core.locate.places import IndexOptions
+        from ..core.pipeline import OrientOptions
         from ..core.searching import LocateOptions
 
         index = IndexOptions(
@@ -124,7 +126,9 @@ class PositionCheck(DemAlgorithm):
             refraction_coefficient=self.parameterAsDouble(parameters, "REFRACTION", context),
         )
         locate = LocateOptions.of(index, (30.0, 75.0), 0.0)
-        return CheckOptions(self.parameterAsDouble(parameters, "RADIUS", context), locate=locate)
+        ray = {"max_distance_m": index.max_distance_m, "refraction_coefficient": index.refraction_coefficient}
+        orient = OrientOptions(horizon=HorizonOptions(**ray))
+        return CheckOptions(self.parameterAsDouble(parameters, "RADIUS", context), locate=locate, orient=orient)
 
     # parameters: what a run shares, what a photograph brings, and its progress
     def _check(self, row, dem, options, feedback, progress):

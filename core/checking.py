@@ -8,14 +8,15 @@ from functools import partial
 import numpy as np
 
 from .base.angles import difference
+from .base.curvature import METRES_PER_DEGREE
 from .base.errors import MissingPackageError, PhotoError
 from .base.messages import Message
 from .base.model import OrientedPhoto
 from .base.progress import SILENT, subtask
 from .batch import PhotoRequest, orient_request
-from .locate.fit import FitOptions, FittedPlaces, curves_of, distinct, move
+from .locate.fit import FitOptions, best_over_scales, curves_of, move
+from .locate.fitted import FittedPlaces, distinct
 from .locate.judge import ellipse
-from .locate.places import METRES_PER_DEGREE
 from .pipeline import HorizonCache, OrientOptions
 from .searching import LocateOptions, SkylineProblem, horizons_at, lens, picture_of
 
@@ -27,7 +28,8 @@ class CheckOptions:
     Attributes
     ----------
     radius_m : float
-        Places farther from the recorded position are not tried [m].
+        Rings of places are tried out to this distance from the recorded position; the best places are then moved, by
+        at most 105 m [m].
     near_m : float
         Error that any recorded position may have [m].
     doubtful_gain : float
@@ -119,12 +121,9 @@ def _around(problem, dem, oriented, options, progress):
     profiles = horizons_at(dem, options.locate, east, north, np.nan)
     usable = np.array([number for number, profile in enumerate(profiles) if profile is not None], int)
     place = np.repeat(usable, len(trials))
-    curves = curves_of([profiles[number] for number in place])
-    fitted, score = np.tile(trials, (len(usable), 1)), np.full(len(place), -np.inf)
-    for scale_of_error in options.locate.fit.final_scales:
-        trial, value = problem.climb(curves, fitted, options.near_m, scale_of_error, 3)
-        better = value > score
-        fitted[better], score[better] = trial[better], value[better]
+    curves, starts = curves_of([profiles[number] for number in place]), np.tile(trials, (len(usable), 1))
+    scales = options.locate.fit.final_scales
+    fitted, score = best_over_scales(problem, curves, starts, options.near_m, (scales, 3))
     unknown = np.full((len(place), 2, 2), np.nan)
     found = FittedPlaces(place, east[place], north[place], fitted, score, unknown, unknown[:, 0], unknown[:, 0, 0])
     recorded = found.take(np.flatnonzero(np.hypot(*offset[place].T) <= options.near_m))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -16,7 +17,8 @@ from .io.array_folder import ArrayFolder, mark_of
 from .locate.answer import Known, Located, LocatedPlace, oriented_at
 from .locate.build import kept_index
 from .locate.coarse import compare
-from .locate.fit import curves_of, distinct, fit_places, lift, move
+from .locate.fit import curves_of, fit_places, lift, move
+from .locate.fitted import distinct
 from .locate.judge import Facts, apart_share, ellipse, gap_of, near_share, p_correct, region, shares, table, verdict
 from .locate.picture import hypotheses
 from .locate.places import IndexOptions
@@ -56,7 +58,8 @@ def index_of_area(dem, area, options=IndexOptions(), folder=None, progress=SILEN
     """
     store = None
     if folder:
-        store = ArrayFolder(Path(folder) / f"horizons-{mark_of(dem, FORMAT, area, options)}")
+        content = replace(options, memory_mb=0.0)  # the limit decides whether an index is made, not what is in it
+        store = ArrayFolder(Path(folder) / f"horizons-{mark_of(dem, FORMAT, area, content)}")
     return kept_index(dem, area, options, store, progress)
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .base.angles import difference
 from .base.camera import Camera, Pose, focal_from_35mm_px, focal_of_fov_px
+from .base.curvature import METRES_PER_DEGREE
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.progress import SILENT, subtask
 from .batch import PhotoRequest, orient_request
@@ -23,8 +24,6 @@ WEATHERS = ("clear", "mixed", "season")
 """'clear' days; a 'season' of clouds, haze, trees, people and camera faults; 'mixed' is half of each."""
 
 LONG_SIDE_PX, SHORT_SIDE_PX = 800, 600
-
-METRES_PER_DEGREE = 111_195.0
 
 
 @dataclass(frozen=True)
@@ -167,9 +166,7 @@ def simulate_trial(dem, observer, number, options=TrialOptions(), progress=SILEN
     view = render_view(terrain, observer, camera, pose, scene, subtask(progress, 0.0, 0.5))
     photo = Photo(_metadata(observer, camera, number, options, random), view.pixels)
     request = PhotoRequest(photo.metadata.path, eye_height_m=observer.eye_height_m)
-    oriented = orient_request(
-        request, dem, options.orient, HorizonCache(), subtask(progress, 0.5, 1.0), replace(photo, pixels=view.pixels)
-    )
+    oriented = orient_request(request, dem, options.orient, HorizonCache(), subtask(progress, 0.5, 1.0), photo)
     at = int(np.abs(difference(prediction.heading_deg, heading)).argmin())
     error_deg, covered = _errors(oriented, heading)
     return Trial(heading, camera.hfov_deg, error_deg, covered, float(prediction.probability[at]), oriented)

@@ -84,7 +84,7 @@ def _place_row(path, located, number, recorded):
 def _moved_m(place, recorded):
     from math import cos, hypot, radians
 
-    from ...core.locate.places import METRES_PER_DEGREE
+    from ...core.base.curvature import METRES_PER_DEGREE
 
     if None in recorded:
         return None
@@ -97,7 +97,7 @@ def region_row(path, located, index):
     """Polygon of the places that hold 90 % of the probability; None if there are none."""
     from math import cos, radians
 
-    from ...core.locate.places import METRES_PER_DEGREE
+    from ...core.base.curvature import METRES_PER_DEGREE
 
     if not len(located.region):
         return None

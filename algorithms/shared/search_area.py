@@ -16,6 +16,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
+from ...core.base.messages import Message
 from . import parameters as shared
 from .fields import is_null
 from .i18n import tr
@@ -72,13 +73,20 @@ def area_fault(algorithm, parameters, context):
     return tr("Choose where to search: an area, an extent, or a radius around the recorded positions.")
 
 
+def weights_source(algorithm, parameters, context):
+    """Provider and CRS of the raster of weights, for another thread; None without one. Call it in the main thread."""
+    layer = algorithm.parameterAsRasterLayer(parameters, "WEIGHTS", context)
+    return None if layer is None else (layer.dataProvider().clone(), layer.crs())
+
+
 class SearchArea:
     """The area of one run.
 
     Parameters
     ----------
     algorithm, parameters, context
-        As in `processAlgorithm`; the parameters of `add_area_parameters` are read.
+        As in `processAlgorithm`; the parameters of `add_area_parameters` are read, but for WEIGHTS, which
+        `weights_source` has put into `algorithm.weights`.
     """
 
     def __init__(self, algorithm, parameters, context):
@@ -87,7 +95,7 @@ class SearchArea:
         self._common = None
         self._paths = _lines(algorithm, parameters, context)
         self._path_m = algorithm.parameterAsDouble(parameters, "PATH_DISTANCE", context)
-        self._weights = algorithm.parameterAsRasterLayer(parameters, "WEIGHTS", context)
+        self._weights = algorithm.weights
         if not is_null(parameters.get("AREA")):
             self._common = _united(algorithm, parameters, context, "AREA")
         elif not is_null(parameters.get("EXTENT")):
@@ -96,14 +104,21 @@ class SearchArea:
         else:
             self.radius_m = algorithm.parameterAsDouble(parameters, "RADIUS", context)
 
+    @property
+    def is_common(self):
+        """Whether all photographs share the area, so that a fault in it concerns all of them."""
+        return self._common is not None
+
     def around(self, longitude_deg, latitude_deg):
-        """The core's `Area` for a photograph at a position; None if the area needs a position and there is none."""
-        from ...core.locate.places import Area
+        """The core's `Area` for a photograph at a position; either may be None."""
+        from ...core.locate.places import Area, AreaError
 
         if self._common is not None:
             return _area_of(self._on_paths(self._common))
         if longitude_deg is None or latitude_deg is None:
-            return None
+            raise AreaError(
+                Message("The photo has no recorded position to search around. Choose an area or an extent.")
+            )
         circle = Area.circle(longitude_deg, latitude_deg, self.radius_m)
         if self._paths is None:
             return circle
@@ -129,10 +144,9 @@ class SearchArea:
 
         if self._weights is None:
             return None
-        to_raster = QgsCoordinateTransform(
-            QgsCoordinateReferenceSystem(WGS84), self._weights.crs(), self.context.transformContext()
-        )
-        provider, values = self._weights.dataProvider(), np.zeros(len(index))
+        provider, crs = self._weights
+        wgs84, values = QgsCoordinateReferenceSystem(WGS84), np.zeros(len(index))
+        to_raster = QgsCoordinateTransform(wgs84, crs, self.context.transformContext())
         for number, place in enumerate(zip(index.longitude_deg, index.latitude_deg)):
             try:
                 value, known = provider.sample(to_raster.transform(QgsPointXY(*map(float, place))), 1)

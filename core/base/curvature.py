@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from .arrays import FloatOrArray
 
 EARTH_RADIUS_M = 6_371_000.0
+METRES_PER_DEGREE = EARTH_RADIUS_M * np.pi / 180
 REFRACTION_COEFFICIENT = 0.13
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..base.curvature import METRES_PER_DEGREE
 from .raster import TypeStyle, draw_dot, draw_words
 
 LOW, MIDDLE, HIGH = np.array([[38, 44, 58], [64, 120, 140], [250, 214, 110]], float)
-"""Colours of the lowest scores, of those at nine tenths of the range, and of the best."""
+"""Colours of the lowest scores, of those at `MIDDLE_AT` of the range, and of the best."""
+
+MIDDLE_AT = 0.85
 
 NOTHING = (232, 232, 228)
 RED, WHITE = (214, 40, 57), (255, 255, 255)
@@ -33,7 +36,7 @@ def score_map(longitude_deg, latitude_deg, score, spacing_m, places=()):
     uint8 (h, w, 3) array
     """
     scale = np.cos(np.radians(np.mean(latitude_deg)))
-    step = spacing_m / 111_195.0
+    step = spacing_m / METRES_PER_DEGREE
     west, north = float(np.min(longitude_deg)), float(np.max(latitude_deg))
     col = np.rint((np.asarray(longitude_deg) - west) * scale / step).astype(int)
     row = np.rint((north - np.asarray(latitude_deg)) / step).astype(int)
@@ -60,6 +63,6 @@ def _coloured(cells):
         return pixels
     low, high = np.percentile(cells[known], 1), cells[known].max()
     share = np.clip((cells[known] - low) / max(high - low, 1e-9), 0, 1)
-    colour = np.stack([np.interp(share, [0, 0.85, 1], [LOW[c], MIDDLE[c], HIGH[c]]) for c in range(3)], axis=1)
+    colour = np.stack([np.interp(share, [0, MIDDLE_AT, 1], [LOW[c], MIDDLE[c], HIGH[c]]) for c in range(3)], axis=1)
     pixels[known] = np.rint(colour)
     return pixels

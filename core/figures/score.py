@@ -73,12 +73,7 @@ def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220, 
         An accessible SVG.
     """
     centre, rim = size / 2, size / 2 - 17
-    parts = [element("circle", cx=centre, cy=centre, r=rim * share, class_="grid") for share in (1 / 3, 2 / 3)]
-    parts.append(element("circle", cx=centre, cy=centre, r=rim, class_="axis"))
-    for at in (0, 90, 180, 270):
-        parts.append(line(*on_circle(centre, centre, rim, at), *on_circle(centre, centre, rim - 5, at), "axis"))
-        label_x, label_y = on_circle(centre, centre, rim + 9, at)
-        parts.append(text(label_x, label_y + 4, compass_point(at, say), "label" if at else "strong", "middle"))
+    parts = _dial(centre, rim, say)
     best = orientation.best
     if best is not None and is_known(hfov_deg):
         wedge = sector_path(centre, centre, 0, rim, best.pose.heading_deg - hfov_deg / 2, hfov_deg)
@@ -94,6 +89,49 @@ def score_rose_svg(orientation, compass_true_deg=None, hfov_deg=None, size=220, 
     return figure(
         size, size, say("Score by direction, north up"), _in_words(orientation, compass_true_deg, say), *parts
     )
+
+
+def probability_rose_svg(heading_deg, probability, size=220, say=str):
+    """Draw a probability as a rose, north up; the outer circle stands for 1, and unknown directions for 0.
+
+    Parameters
+    ----------
+    heading_deg : (H,) array
+        Directions clockwise from true north, in order [degrees].
+    probability : (H,) array
+        NaN where it is not known.
+    size : float
+        Side of the drawing [px].
+    say : callable
+        Translates the fixed English words; see `core.figures.text`.
+
+    Returns
+    -------
+    str
+        An accessible SVG.
+    """
+    centre, rim = size / 2, size / 2 - 17
+    parts, known = _dial(centre, rim, say), np.isfinite(probability)
+    words = say("The DEM has no horizon here.")
+    if known.any():
+        x, y = on_circle(centre, centre, np.where(known, probability, 0.0) * rim, heading_deg)
+        parts.append(element("path", d=polyline_path(x, y) + "Z", class_="curve under"))
+        best = int(np.nanargmax(probability))
+        words = say("The probability is highest at azimuth {heading}: {share} %.").format(
+            heading=azimuth(heading_deg[best]), share=f"{100 * probability[best]:.0f}"
+        )
+    return figure(size, size, say("Probability of a unique answer by direction, north up"), words, *parts)
+
+
+def _dial(centre, rim, say):
+    """Circles at a third, two thirds and the whole of the radius, with the four cardinal directions."""
+    parts = [element("circle", cx=centre, cy=centre, r=rim * share, class_="grid") for share in (1 / 3, 2 / 3)]
+    parts.append(element("circle", cx=centre, cy=centre, r=rim, class_="axis"))
+    for at in (0, 90, 180, 270):
+        parts.append(line(*on_circle(centre, centre, rim, at), *on_circle(centre, centre, rim - 5, at), "axis"))
+        label_x, label_y = on_circle(centre, centre, rim + 9, at)
+        parts.append(text(label_x, label_y + 4, compass_point(at, say), "label" if at else "strong", "middle"))
+    return parts
 
 
 def _thinned(orientation):

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.angles import wrap_180
+from ..base.curvature import METRES_PER_DEGREE
 from .svg import element, figure, line, round_below, sector_path, text
 from .text import azimuth, compass_point, escape, is_known
 
-METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
 SMALLEST_SPAN_M = 200.0
 """The plan spans at least this much, so that GPS noise does not spread photographs of one place over the sheet [m]."""
 

@@ -17,7 +17,14 @@ UNREADABLE = OSError, ValueError, EOFError
 
 
 def mark_of(dem, *facts):
-    """Make a digest of the `state` of a DEM and of further facts, which are compared by their `repr`."""
+    """Make a digest of a DEM, as its files and the user's choices give it, and of further facts, by their `repr`.
+
+    Parameters
+    ----------
+    dem : core.io.raster.Dem
+    *facts
+        Values whose `repr` tells them apart.
+    """
     return hashlib.sha256(repr((dem.state, facts)).encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..base.angles import difference, wrap_360
-from ..base.curvature import EARTH_RADIUS_M
+from ..base.curvature import METRES_PER_DEGREE
 from ..base.messages import Message
 from ..base.status import RELIABLE
 from .ties import features, turn_between, turned
@@ -163,7 +163,7 @@ def _distance_m(one, other):
         return np.inf
     north = one.latitude_deg - other.latitude_deg
     east = difference(one.longitude_deg, other.longitude_deg) * np.cos(np.radians(one.latitude_deg))
-    return EARTH_RADIUS_M * np.radians(float(np.hypot(east, north)))
+    return METRES_PER_DEGREE * float(np.hypot(east, north))
 
 
 def _apart_s(one, other):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..base.messages import Message
 from ..base.progress import SILENT, checkpoint, subtask
 from .index import HorizonIndex, stored_angles, stored_distances
 from .many import CellGrid, ManyOptions, many_horizons
-from .places import IndexOptions, check_memory, lay_places
+from .places import AreaError, IndexOptions, check_memory, lay_places
 
 STORED = ("place", "elevation", "distance", "sizes")
 """Names of the arrays of an index in a store."""
@@ -33,7 +34,7 @@ def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT): 
     Raises
     ------
     AreaError
-        The area lies outside the DEM, or the index is larger than the memory allowed.
+        The area lies outside the DEM or in a void of it, or the index is larger than the memory allowed.
     """
     grid = lay_places(dem, area, options)
     if hold is None:
@@ -59,6 +60,10 @@ def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT): 
         elevation[first:last] = stored_angles(found.elevation_deg[usable])
         distance[first:last] = stored_distances(found.distance_m[usable])
         first = last
+    if not first:
+        raise AreaError(
+            Message("The DEM has no heights in the area. Choose another area, or a DEM without voids there.")
+        )
     hold("sizes", (2,), np.float64)[:] = cell_m, grid.spacing_m
     checkpoint(progress, 1.0)
     return index_of({"place": place, "elevation": elevation, "distance": distance, "sizes": (cell_m, grid.spacing_m)})

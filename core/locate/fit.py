@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..base.curvature import METRES_PER_DEGREE
 from ..base.progress import SILENT, checkpoint, subtask
 from .curves import CurveSet
-from .places import METRES_PER_DEGREE
+from .fitted import FittedPlaces, distinct, joined
 
 CHUNK = 256
 """Places that are fitted together."""
@@ -53,50 +54,6 @@ class FitOptions:
     step_error: float = 0.5
 
 
-@dataclass(frozen=True, eq=False)
-class FittedPlaces:
-    """Places with the best pose at each; (K,) arrays, best first.
-
-    Attributes
-    ----------
-    source : int array
-        Place of the index from which each comes.
-    longitude_deg, latitude_deg : arrays
-    trial : (K, 5) array
-        See `core.match.geometry.PARAMETERS`.
-    score : array
-        Mean log-likelihood ratio over the columns.
-    curvature : (K, 2, 2) array
-        Of the negative score by east and north, with the pose fitted anew at each place [1/m2]; NaN if not known.
-    focal_slope : (K, 2) array
-        Change of the fitted log focal length with east and north [1/m].
-    eye_height_m : (K,) array
-        Height of the eye above the DEM [m]; NaN for the height of the index.
-    """
-
-    source: np.ndarray
-    longitude_deg: np.ndarray
-    latitude_deg: np.ndarray
-    trial: np.ndarray
-    score: np.ndarray
-    curvature: np.ndarray
-    focal_slope: np.ndarray
-    eye_height_m: np.ndarray
-
-    def take(self, order):
-        """The places of these indices."""
-        return FittedPlaces(*(getattr(self, name)[order] for name in self.__dataclass_fields__))
-
-    def plus(self, gain):
-        """The places with `gain` (K,) added to their scores, best first again."""
-        moved = replace(self, score=self.score + gain)
-        return moved.take(np.argsort(-moved.score, kind="stable"))
-
-    def once(self):
-        """The places with only the best pose of each; best first."""
-        return self.take(np.sort(np.unique(self.source, return_index=True)[1]))
-
-
 def fit_places(problem, index, places, trials, options=FitOptions(), progress=SILENT):  # noqa: B008 - frozen
     """Fit the pose at places of an index.
 
@@ -123,7 +80,7 @@ def fit_places(problem, index, places, trials, options=FitOptions(), progress=SI
         elevation_deg, distance = index.horizons(places[part])
         curves = CurveSet(elevation_deg, distance, index.cell_m)
         error_m = options.place_error * index.spacing_m
-        fitted[part], score[part] = _best_over_scales(problem, curves, fitted[part], error_m, (options.scales, 6))
+        fitted[part], score[part] = best_over_scales(problem, curves, fitted[part], error_m, (options.scales, 6))
     found = FittedPlaces(
         np.asarray(places),
         index.longitude_deg[places],
@@ -137,7 +94,26 @@ def fit_places(problem, index, places, trials, options=FitOptions(), progress=SI
     return found.take(np.argsort(-score, kind="stable"))
 
 
-def _best_over_scales(problem, curves, trials, error_m, how):
+def best_over_scales(problem, curves, trials, error_m, how):
+    """Fit with tolerances that shrink, and keep the best pose of each trial.
+
+    Parameters
+    ----------
+    problem : object
+        As for `fit_places`.
+    curves : CurveSet
+    trials : (K, 5) array
+        Poses from which the fits start.
+    error_m : float
+        Standard deviation of the places [m].
+    how : (scales, stride)
+        Tolerances, as multiples of the expected one, and the step between the columns that count.
+
+    Returns
+    -------
+    trials : (K, 5) array
+    score : (K,) array
+    """
     scales, stride = how
     best, best_score = trials.copy(), np.full(len(trials), -np.inf)
     for scale in scales:
@@ -145,39 +121,6 @@ def _best_over_scales(problem, curves, trials, error_m, how):
         better = score > best_score
         best[better], best_score[better] = trials[better], score[better]
     return best, best_score
-
-
-def distinct(found, separation_m, count):
-    """Indices of the best places that are farther than `separation_m` from one another.
-
-    Parameters
-    ----------
-    found : FittedPlaces
-        Best first.
-    separation_m : float
-    count : int
-        Largest number of places.
-    """
-    kept: list[int] = []
-    for place in range(len(found.score)):
-        if all(distance_m(found, place, other) > separation_m for other in kept):
-            kept.append(place)
-            if len(kept) == count:
-                break
-    return np.array(kept, int)
-
-
-def distance_m(found, place, other):
-    """Ground distance between two places [m], exact enough within an area.
-
-    Parameters
-    ----------
-    found : FittedPlaces
-    place, other : int
-    """
-    north = (found.latitude_deg[place] - found.latitude_deg[other]) * METRES_PER_DEGREE
-    east = (found.longitude_deg[place] - found.longitude_deg[other]) * METRES_PER_DEGREE
-    return float(np.hypot(east * np.cos(np.radians(found.latitude_deg[place])), north))
 
 
 def move(problem, horizons_of, found, spacing_m, options=FitOptions(), progress=SILENT):  # noqa: B008 - frozen
@@ -209,7 +152,7 @@ def move(problem, horizons_of, found, spacing_m, options=FitOptions(), progress=
             checkpoint(part, place / len(ahead))
             one = found.take(np.array([place]))
             moved.append(_moved(problem, horizons_of, one, share * spacing_m, options))
-        found = _joined([*moved, found.take(rest)])
+        found = joined([*moved, found.take(rest)])
         found = found.take(np.argsort(-found.score, kind="stable"))
         found = found.take(distinct(found, options.separation_m / 2, len(found.score)))
     return found
@@ -226,7 +169,7 @@ def _moved(problem, horizons_of, one, step_m, options):
         return one
     curves = curves_of([profiles[place] for place in usable])
     start = np.repeat(one.trial, len(usable), axis=0)
-    trial, score = _best_over_scales(problem, curves, start, options.step_error * step_m, (options.final_scales, 3))
+    trial, score = best_over_scales(problem, curves, start, options.step_error * step_m, (options.final_scales, 3))
     best = int(score.argmax())
     curvature, slope = _surface(RING[usable] * step_m, score, trial[:, 3])
     return replace(
@@ -265,11 +208,11 @@ def lift(problem, horizons_of, found, heights_m, options=FitOptions()):  # noqa:
             if profiles[0] is None:
                 continue
             how = options.final_scales, 3
-            trial, score = _best_over_scales(problem, curves_of(profiles), one.trial, LIFT_ERROR_M, how)
+            trial, score = best_over_scales(problem, curves_of(profiles), one.trial, LIFT_ERROR_M, how)
             if score[0] > one.score[0] + LEAST_LIFT:
                 one = replace(one, trial=trial, score=score, eye_height_m=np.array([height_m]))
         lifted.append(one)
-    return _joined(lifted).plus(np.zeros(len(lifted)))
+    return joined(lifted).plus(np.zeros(len(lifted)))
 
 
 def curves_of(profiles):
@@ -293,8 +236,3 @@ def _surface(offset_m, score, log_focal):
     linear = np.linalg.lstsq(terms[:, :3], log_focal, rcond=None)[0]
     curvature = np.array([[quadratic[3], quadratic[4]], [quadratic[4], quadratic[5]]]) / reach**2
     return curvature, linear[1:3] / reach
-
-
-def _joined(parts):
-    names = FittedPlaces.__dataclass_fields__
-    return FittedPlaces(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

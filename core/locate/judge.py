@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.messages import Message
-from .fit import distance_m
+from .fitted import distance_m
 
 TABLE_PATH = Path(__file__).with_name("calibration.json")
 
@@ -96,7 +96,10 @@ def table():
 
 
 def p_correct(facts, calibration=None):
-    """Probability that the best place is within a kilometre of the truth and its heading within 3 degrees."""
+    """Probability that the best place is within a kilometre of the truth and its heading within 4 degrees.
+
+    These are the limits of `tools/fit_locate.py`; `near_share` narrows the place to `RIGHT_M`.
+    """
     calibration = calibration or table()
     values, total = facts.features, calibration["bias"]
     for name, entry in calibration["features"].items():

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..base.curvature import EARTH_RADIUS_M
+from ..base.curvature import METRES_PER_DEGREE
 from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
 
@@ -17,8 +17,6 @@ BYTES_PER_AZIMUTH = 4
 """Size of the angle and the distance of the horizon in an index, per azimuth [bytes]."""
 
 RING_VERTICES = 90
-
-METRES_PER_DEGREE = EARTH_RADIUS_M * np.pi / 180
 
 
 class AreaError(SkylineViewshedError):

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from ..base.model import Orientation
 from ..figures.profile import horizon_profile_svg
-from ..figures.score import score_rose_svg
+from ..figures.score import probability_rose_svg
 from ..figures.text import degrees
 from .facts import percent
 from .horizon import HorizonReportWriter
@@ -29,8 +28,7 @@ class OrientabilityReportWriter(HorizonReportWriter):
         self.remember(name, horizon)
         tables, roses = [], []
         for hfov_deg, found in predictions:
-            curve = Orientation("", "", curve_heading_deg=found.heading_deg, curve_score=found.probability)
-            roses.append(Html(score_rose_svg(curve, size=240, say=say)))
+            roses.append(Html(probability_rose_svg(found.heading_deg, found.probability, size=240, say=say)))
             rows = [
                 (say("Mean probability of a unique answer"), percent(found.mean)),
                 (say("Expected error of the heading"), degrees(found.typical_error_deg, 2)),

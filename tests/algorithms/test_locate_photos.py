@@ -109,8 +109,8 @@ def test_a_raster_of_weights_excludes_places(run, scene, setting, tmp_path):
     (folder / "north.jpg").write_bytes((scene.folder / "north.jpg").read_bytes())
     given = {"FOLDER": str(folder), "EXTENT": around((x, y)), "WEIGHTS": path}
     results, _ = run("locatephotos", {**setting, **given})
-    for feature in results["CANDIDATES"].getFeatures():
-        assert feature.geometry().asPoint().x() < x - 0.001
+    places = [feature.geometry().asPoint().x() for feature in results["CANDIDATES"].getFeatures()]
+    assert places and max(places) < x - 0.001
 
 
 def test_bad_photographs_fail_with_a_sentence_and_the_others_go_on(run, scene, setting):
@@ -122,6 +122,30 @@ def test_bad_photographs_fail_with_a_sentence_and_the_others_go_on(run, scene, s
     assert found["no_focal.jpg"]["status"] in ("accepted", "ambiguous", "rejected")
     assert results["COUNT"] == len(found)
     assert any("no_gps.jpg" in warning for warning in feedback.warnings)
+
+
+def test_around_recorded_positions_a_photo_with_a_bad_one_fails_alone(run, scene, setting):
+    x, y = scene.positions["north"]
+    path = str(scene.folder / "north.jpg")
+    points = [f"Point({x} {y})", "Point(30 10)", "Point(0 0)", f"Point({x} {y})"]
+    layer = layer_of("Point", points, ["photo"], [[path], [path], [path], [None]])
+    results, feedback = run("locatephotos", {**setting, "INPUT": layer, "RADIUS": 1_000.0})
+    good, outside, nowhere, pathless = results["OUTPUT"].getFeatures()
+    assert away_m(good.geometry(), (x, y)) < 400 and good["status"] in ("accepted", "ambiguous")
+    assert outside["status"] == "failed" and "lies inside the DEM" in outside["message"]
+    assert nowhere["status"] == "failed" and "search around" in nowhere["message"]
+    assert pathless["status"] == "failed" and "names no photo" in pathless["message"]
+    assert results["COUNT"] == 4 and len(feedback.warnings) >= 3
+
+
+def test_paths_that_are_far_from_one_photo_fail_it_alone(run, scene, setting):
+    x, y = scene.positions["north"]
+    near = layer_of("LineString", [f"LineString({x - 0.02} {y}, {x + 0.015} {y})"])
+    given = {"FOLDER": str(scene.folder), "RADIUS": 1_000.0, "PATHS": near, "PATH_DISTANCE": 400.0}
+    results, _ = run("locatephotos", {**setting, **given})
+    found = {Path(feature["photo"]).name: feature for feature in results["OUTPUT"].getFeatures()}
+    assert found["west.jpg"]["status"] == "failed" and "area is empty" in found["west.jpg"]["message"]
+    assert found["north.jpg"]["status"] != "failed"
 
 
 def test_unusable_areas_are_refused(refusal, run, scene, setting):

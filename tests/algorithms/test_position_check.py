@@ -41,6 +41,16 @@ def test_a_shifted_position_is_doubted_and_the_way_back_is_given(checked, scene)
     assert checked[0]["DOUBTFUL"] == 1
 
 
+def test_the_range_and_the_refraction_hold_for_the_orientation_too(algorithm):
+    from qgis.core import QgsProcessingContext
+
+    given = {"MAX_DISTANCE": 15_000.0, "REFRACTION": 0.2, "RADIUS": 300.0, "EYE_HEIGHT": 4.0}
+    options = algorithm("positioncheck")._options(given, QgsProcessingContext())
+    for horizon in (options.orient.horizon, options.locate.horizon):
+        assert (horizon.max_distance_m, horizon.refraction_coefficient) == (15_000.0, 0.2)
+    assert options.radius_m == 300.0 and options.locate.index.eye_height_m == 4.0
+
+
 def test_a_missing_photograph_fails_alone(checked):
     missing = checked[1][2]
     assert missing["verdict"] == "failed" and "cannot be read" in missing["message"]

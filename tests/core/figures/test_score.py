@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from skyline_viewshed.core.base.model import Orientation
-from skyline_viewshed.core.figures.score import score_curve_svg, score_rose_svg
+from skyline_viewshed.core.figures.score import probability_rose_svg, score_curve_svg, score_rose_svg
 
 
 def parts(drawing, class_):
@@ -88,3 +88,16 @@ def test_figures_say_in_words_what_they_show(painted, draw):
     said = ElementTree.fromstring(draw(painted().orientation, compass_true_deg=121.0))[1].text
     for expected in ("123.4°", "240.4°", "323.4°", "121.0°"):
         assert expected in said
+
+
+def test_a_rose_of_probabilities_has_one_scale_for_all_places():
+    heading = np.arange(0.0, 360.0)
+    half, full = (probability_rose_svg(heading, np.full(360, value), size=234) for value in (0.5, 1.0))
+    # The centre is at 117 and the rim 100 from it: to the north, a half ends at 67 and certainty at 17.
+    assert "M117,67" in half.replace(".0", "").replace(" ", ",") and "M117,17" in full.replace(".0", "").replace(
+        " ", ","
+    )
+    some = np.where(heading == 90, 0.8, np.where(heading < 180, 0.1, np.nan))
+    drawing = probability_rose_svg(heading, some)
+    assert "highest at azimuth 90" in drawing and "80 %" in drawing and "nan" not in drawing
+    assert "no horizon here" in probability_rose_svg(heading, np.full(360, np.nan))

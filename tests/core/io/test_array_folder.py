@@ -73,5 +73,6 @@ def test_the_mark_follows_the_tile_behind_a_vrt_the_reading_and_the_facts(tile):
     first = mark_of(open_dem(vrt), "area")
     assert first == mark_of(open_dem(vrt), "area") != mark_of(open_dem(vrt), "other area")
     assert mark_of(open_dem(vrt, reading=DemReading(unit="feet")), "area") != first
+    assert mark_of(open_dem(vrt, reading=DemReading(nodata_ranges=((0.0, 1.0),))), "area") != first
     os.utime(path, (1, 1))
     assert mark_of(open_dem(vrt), "area") != first

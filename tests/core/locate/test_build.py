@@ -16,6 +16,13 @@ def test_voids_are_left_out(cone, area_of):
     assert part.latitude_deg.max() < full.latitude_deg.max()
 
 
+def test_an_area_in_a_void_is_refused_and_no_store_appears(cone, area_of, tmp_path):
+    holed = type(cone)(cone.elevation_m * np.nan, cone.cell_m, cone.longitude_deg, cone.latitude_deg)
+    with pytest.raises(AreaError, match="no heights in the area"):
+        kept_index(holed, area_of(cone), SMALL, ArrayFolder(tmp_path / "index"))
+    assert not any(tmp_path.iterdir())
+
+
 def test_only_places_inside_the_area(cone):
     longitude, latitude = map(float, cone.position_of(80, 80))
     circle = Area.circle(longitude, latitude, 4_000.0)

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
-from skyline_viewshed.core.locate.fit import FitOptions, FittedPlaces, curves_of, distance_m, distinct, lift, move
+from fitted_places import places
+from skyline_viewshed.core.locate.fit import FitOptions, best_over_scales, curves_of, lift, move
 
 
 class Bowl:
@@ -31,33 +32,12 @@ def horizons_of(longitude_deg, latitude_deg, height_m):
     return profiles
 
 
-def places(longitude, latitude, score):
-    count = len(score)
-    return FittedPlaces(
-        np.arange(count),
-        np.array(longitude, float),
-        np.array(latitude, float),
-        np.zeros((count, 5)),
-        np.array(score, float),
-        np.full((count, 2, 2), np.nan),
-        np.full((count, 2), np.nan),
-        np.full(count, np.nan),
-    )
-
-
 def test_places_move_to_where_the_horizon_fits_best():
     found = move(Bowl(), horizons_of, places([8.0], [46.0], [-99.0]), 600.0, FitOptions())
-    assert distance_m(found, 0, 0) == 0.0
     north, east = (found.latitude_deg[0] - TRUE[1]) * 111_195, (found.longitude_deg[0] - TRUE[0]) * 77_000
     assert np.hypot(north, east) < 60
     # The score is a bowl of one per square hectometre: its curvature is two.
     assert found.curvature[0] == pytest.approx(np.eye(2) * 2e-4, abs=1e-6)
-
-
-def test_only_the_best_of_near_places_is_kept():
-    found = places([8.0, 8.001, 8.1], [46.0] * 3, [3.0, 2.0, 1.0])
-    assert distinct(found, 500.0, 3).tolist() == [0, 2]
-    assert distinct(found, 500.0, 1).tolist() == [0]
 
 
 def test_a_higher_eye_counts_if_it_fits_clearly_better():
@@ -73,17 +53,20 @@ def test_a_place_without_a_horizon_stays():
     assert kept.score[0] == 1.0 and kept.longitude_deg[0] == 8.0
 
 
-def test_scores_that_are_raised_are_sorted_anew():
-    found = places([8.0, 8.1], [46.0, 46.0], [2.0, 1.0]).plus(np.array([0.0, 5.0]))
-    assert found.longitude_deg.tolist() == [8.1, 8.0] and found.score.tolist() == [6.0, 2.0]
-
-
 def test_the_curves_of_profiles_know_where_the_dem_ends():
     curves = curves_of(horizons_of([8.0, 8.1], [46.0, 46.0], np.nan))
     assert len(curves.distance_m) == 8 and not curves.clipped.any()
 
 
-def test_a_place_counts_once_with_its_best_pose():
-    found = places([8.0, 8.1, 8.0, 8.2], [46.0] * 4, [4.0, 3.0, 2.0, 1.0])
-    found = FittedPlaces(np.array([7, 3, 7, 1]), *(getattr(found, name) for name in list(vars(found))[1:]))
-    assert found.once().source.tolist() == [7, 3, 1] and found.once().score.tolist() == [4.0, 3.0, 1.0]
+def test_the_best_pose_of_all_tolerances_is_kept():
+    class Worse:
+        """Every fit moves the heading by a degree, and the second one scores best."""
+
+        def __init__(self):
+            self.scores = iter([1.0, 3.0, 2.0])
+
+        def climb(self, curves, trials, error_m, scale, stride):
+            return trials + [1.0, 0, 0, 0, 0], np.full(len(trials), next(self.scores))
+
+    trial, score = best_over_scales(Worse(), None, np.zeros((2, 5)), 10.0, ((2.0, 1.0, 0.5), 3))
+    assert trial[:, 0].tolist() == [2.0, 2.0] and score.tolist() == [3.0, 3.0]
