@@ -110,6 +110,7 @@ class SkylineViewshedPlugin:
         if self.photo_view_action is not None:
             self.iface.removeToolBarIcon(self.photo_view_action)
             self.iface.removePluginMenu(MENU, self.photo_view_action)
+            self.photo_view_action.deleteLater()
             self.photo_view_action = None
         if self.provider is not None:
             registry = QgsApplication.processingRegistry()

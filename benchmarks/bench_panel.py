@@ -203,7 +203,7 @@ def main():
             result[f"frame_{name}_median_ms"] = times[len(times) // 2]
             result[f"frame_{name}_95_ms"] = times[int(0.95 * len(times))]
         ids = view.session.photos.ids()
-        suffixes = {fid: Path(path).suffix for fid, path in view.session.photos.paths().items()}
+        suffixes = {fid: Path(path).suffix for fid, (path, _) in view.session.photos.files().items()}
         for suffix in (".heic", ".jpg"):
             fid = next(f for f in ids[2:] if suffixes[f] == suffix)
             result[f"open_{suffix[1:]}_s"], result[f"open_{suffix[1:]}_longest_stall_ms"] = opening(view, fid)

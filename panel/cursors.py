@@ -6,6 +6,7 @@ import numpy as np
 from qgis.PyQt.QtCore import QTimer
 
 from .model import ground as grounds
+from .model.faults import guarded
 from .model.viewsheds import ground_in_view
 from .view.spots import SpotMark, spot_words
 from .words import place_words
@@ -25,7 +26,7 @@ class Cursors:
     """
 
     def __init__(self, view):
-        self.view = view
+        self.view, self.say = view, view.say
         self._pixel = self._point = None
         self._timer = QTimer(view.dock)
         self._timer.setSingleShot(True)
@@ -36,6 +37,7 @@ class Cursors:
         self.map_canvas = view.iface.mapCanvas()
         self.map_canvas.xyCoordinates.connect(self.hover_map)
 
+    @guarded
     def hover(self, x_px, y_px):
         """The mouse is at a pixel of the picture."""
         self._pixel, self._point = (x_px, y_px), None
@@ -43,6 +45,7 @@ class Cursors:
         if not self._timer.isActive():
             self._timer.start()
 
+    @guarded
     def leave(self):
         """The mouse has left the picture."""
         if self._pixel is not None:
@@ -51,6 +54,7 @@ class Cursors:
             self.view.dock.place_label.setText("")
         self.view.marks.hide_place()
 
+    @guarded
     def hover_map(self, point):
         """The mouse is at a point of the map."""
         if self.view.session.posed is None or not self.view.dock.isVisible():
@@ -61,6 +65,7 @@ class Cursors:
         if not self._timer.isActive():
             self._timer.start()
 
+    @guarded
     def _ask(self):
         session, posed = self.view.session, self.view.session.posed
         if posed is None:

@@ -12,6 +12,7 @@ from .model import drawing
 from .model import ground as grounds
 from .model.aids import FOLDER_PROPERTY, aids_folder
 from .model.edits import NotEditableError
+from .model.faults import guarded
 from .model.overlays import Line
 from .view.map_marks import PlaceTool
 from .view.tools import BrushTool, ChainTool, ClickTool, CorrectTool, StrokeTool, Tool
@@ -26,7 +27,7 @@ class Figures:
     """
 
     def __init__(self, view):
-        self.view, self._map_tool, self._pixel = view, None, None
+        self.view, self.say, self._map_tool, self._pixel = view, view.say, None, None
         canvas, correction = view.dock.canvas, view.correction
         self.tools = {
             "look": Tool(canvas),
@@ -57,19 +58,19 @@ class Figures:
     def ask_for_face(self):
         """Let the person click on the map where the camera looks."""
         if not self.view.correction.possible:
-            self.view.dock.say(tr("Nothing to turn yet: the picture or the elevation model is missing."))
+            self.say(tr("Nothing to turn yet: the picture or the elevation model is missing."))
             return
-        self.view.dock.say(tr("Click a place on the map that the middle of the picture shows."))
+        self.say(tr("Click a place on the map that the middle of the picture shows."))
         self._ask_map(self.view.correction.face)
 
     def _take_landmark_pixel(self, pixel):
         if not self.view.correction.possible:
-            self.view.dock.say(tr("No landmark yet: the picture or the elevation model is missing."))
+            self.say(tr("No landmark yet: the picture or the elevation model is missing."))
             return
         self._pixel = pixel
         self.view.dock.canvas.sketch = [_dot(pixel)]
         self.view.dock.canvas.update()
-        self.view.dock.say(tr("Now click the same point on the map."))
+        self.say(tr("Now click the same point on the map."))
         self._ask_map(self._take_landmark_place)
 
     def _take_landmark_place(self, longitude_deg, latitude_deg):
@@ -79,7 +80,7 @@ class Figures:
             return
         self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg))
         count = len(self.view.session.draft.landmarks)
-        self.view.dock.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+        self.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
 
     def _ask_map(self, take):
         self._give_map_back()
@@ -87,10 +88,11 @@ class Figures:
         self._map_tool = PlaceTool(canvas, partial(self._take_map_click, take))
         canvas.setMapTool(self._map_tool)
 
+    @guarded
     def _take_map_click(self, take, point):
         position = self.view.marks.position_of(point)
         if position is None:
-            self.view.dock.say(tr("The map's coordinate system does not reach there."))
+            self.say(tr("The map's coordinate system does not reach there."))
         else:
             take(*position)
 
@@ -103,20 +105,20 @@ class Figures:
         if self.view.session.history is None:
             return
         self.view.correction.add_stroke(points, anew)
-        self.view.dock.say(tr("Skyline drawn. Press Snap to fit the horizon to it."))
+        self.say(tr("Skyline drawn. Press Snap to fit the horizon to it."))
 
     def _take_brush(self, stroke):
         if self.view.session.history is None:
             return
         self.view.correction.add_brush(stroke)
-        self.view.dock.say(tr("Masked. Press Snap to fit the horizon without it."))
+        self.say(tr("Masked. Press Snap to fit the horizon without it."))
 
     def _ignore(self, kind, points):
         """Nothing is placed before a figure is finished."""
 
     def _ready(self):
         if self.view.session.posed is None:
-            self.view.dock.say(tr("This needs a heading and an elevation model."))
+            self.say(tr("This needs a heading and an elevation model."))
             return False
         return True
 
@@ -131,7 +133,7 @@ class Figures:
         )  # fmt: skip
 
     def _show_measured(self, kind, places):
-        self.view.dock.say(drawing.measured(kind, places, self.view.project))
+        self.say(drawing.measured(kind, places, self.view.project))
         known = [place for place in places if place.on_ground]
         ring = known + known[:1] if kind == "polygon" else known
         self.view.marks.show_figure(([p.longitude_deg for p in ring], [p.latitude_deg for p in ring]))

@@ -16,11 +16,11 @@ class Terrestrials:
 
     def __init__(self, view):
         self.view, self.found = view, Terrestrial()
-        self._asked = set()
+        self._asked, self._readings, self._projected = set(), (), None
 
     def forget(self):
         """Another eye or elevation model follows."""
-        self.found, self._asked = Terrestrial(), set()
+        self.found, self._asked, self._projected = Terrestrial(), set(), None
         for kind in (MAP, SUMMITS):
             self.view.session.terrain_lane.cancel(kind)
 
@@ -29,24 +29,31 @@ class Terrestrials:
         session, dock = self.view.session, self.view.dock
         if session.posed is None:
             return
+        self._asked &= dock.shown  # what was switched off is looked for anew
         for kind, ask in ((MAP, self._ask_map), (SUMMITS, self._ask_summits)):
             if kind in dock.shown and kind not in self._asked:
                 self._asked.add(kind)
                 ask(session, session.ground, session.draft)
 
     def look_again(self):
-        """Project the map layers anew: another part of them may have come into the frame."""
-        if MAP in self._asked:
-            self._asked.discard(MAP)
-            self.look()
+        """Project the map layers anew if the pose has changed: other parts of them may have come into the frame."""
+        session = self.view.session
+        if MAP in self._asked and session.posed is not None and session.live is None:
+            self._project_map(session, session.ground, session.draft)
 
     def _crs(self):
         return self.view.session.dem.source.crs
 
     def _ask_map(self, session, ground, draft):
         layers = map_layers.shown_layers(self.view.iface.mapCanvas().layers(), session.photos.layer)
-        readings = map_layers.read_layers(layers, ground, self._crs(), self.view.project)
-        item, dem = session.item, session.dem
+        self._readings, self._projected = map_layers.read_layers(layers, self._crs(), self.view.project), None
+        self._project_map(session, ground, draft)
+
+    def _project_map(self, session, ground, draft):
+        if self._projected == (draft.camera, draft.pose):
+            return
+        self._projected = draft.camera, draft.pose
+        readings, item, dem = self._readings, session.item, session.dem
         session.terrain_lane.submit(
             MAP, lambda job: map_layers.traces_of(readings, item, dem.here(ground), draft.camera, draft.pose),
             self._take_map, session.told.emit, urgency=2,

@@ -7,10 +7,10 @@ from ..core.base.status import known_status
 
 
 def photo_words(session):
-    """What is known of the photograph that is shown."""
+    """What is known of the photograph that is shown, and the message of its answer while that counts."""
     item, draft = session.item, session.draft
     if item is None:
-        return tr("No photograph. Click a point on the map with the selection tool, or a thumbnail below.")
+        return tr("No photograph. Click a point on the map with the selection tool, or a thumbnail below."), ""
     parts = [item.name]
     if draft is not None and draft.pose is not None:
         pose = draft.pose
@@ -29,8 +29,7 @@ def photo_words(session):
         parts.append(tr("changed, not kept"))
     elif item.status:
         parts.append(status_words(item.status))
-    text = ", ".join(parts) + "."
-    return text if changed or not item.message else f"{text} {item.message}"
+    return ", ".join(parts) + ".", "" if changed else item.message
 
 
 def status_words(status):

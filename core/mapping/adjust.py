@@ -194,8 +194,8 @@ def fitted_to_landmarks(camera, pose, landmarks, focal_sigma):
         lens, turned = unpacked(trial)
         x, y = project(lens, turned, azimuth, elevation)
         off = np.concatenate([x - x_px, y - y_px]) / LANDMARK_SIGMA_PX
-        beliefs = turned.pitch_deg / PITCH_SIGMA_DEG, trial[2] / ROLL_SIGMA_DEG, trial[3] / focal_sigma
-        return np.concatenate([np.nan_to_num(off, nan=1e3), beliefs])
+        priors = turned.pitch_deg / PITCH_SIGMA_DEG, trial[2] / ROLL_SIGMA_DEG, trial[3] / focal_sigma
+        return np.concatenate([np.nan_to_num(off, nan=1e3), priors])
 
     trial = least_squares(misses, np.zeros(4), loss="soft_l1", f_scale=3.0).x
     lens, turned = unpacked(trial)
@@ -203,7 +203,7 @@ def fitted_to_landmarks(camera, pose, landmarks, focal_sigma):
 
 
 def horizon_marks(terrain, horizon, frame, camera, pose):
-    """Places of the map on the horizon, and the pixels at which a camera shows them: the landmarks of a fitted horizon.
+    """Give places of the map on the horizon and the pixels at which a camera shows them, as landmarks for the matcher.
 
     Parameters
     ----------

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.curvature import EARTH_RADIUS_M
+from ..base.curvature import METRES_PER_DEGREE
 from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
 
@@ -156,8 +156,7 @@ def local_m(track, longitude_deg, latitude_deg):
     """
     east = (longitude_deg - track.longitude_deg[0] + 180) % 360 - 180
     north = latitude_deg - track.latitude_deg[0]
-    metres = np.radians(1.0) * EARTH_RADIUS_M
-    return east * metres * np.cos(np.radians(track.latitude_deg[0])), north * metres
+    return east * METRES_PER_DEGREE * np.cos(np.radians(track.latitude_deg[0])), north * METRES_PER_DEGREE
 
 
 def _placed(track, first, second, share, error_m, gap_s):

@@ -15,6 +15,7 @@ from typing import Any
 
 from qgis.core import QgsProviderRegistry
 
+from ...algorithms.shared.outputs import unwritable
 from ...core.base.errors import UnreadableFeaturesError
 from ...core.base.messages import Message
 from .solving import skyline_of, write_mask
@@ -102,6 +103,13 @@ def write_aids(folder, path, draft, evidence):
     ------
     OutputError, UnreadableFeaturesError
     """
+    try:
+        _write_all(folder, path, draft, evidence)
+    except OSError as error:
+        raise unwritable(error.filename or folder, error) from None
+
+
+def _write_all(folder, path, draft, evidence):
     folder.mkdir(parents=True, exist_ok=True)
     _write_landmarks(folder, path, draft)
     line, rows = skyline_of(draft, evidence)

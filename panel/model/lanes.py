@@ -5,19 +5,15 @@ from __future__ import annotations
 import heapq
 import itertools
 import threading
-import traceback
 
-from qgis.core import Qgis, QgsMessageLog
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...algorithms.shared.i18n import in_users_language, tr
-from ...core.base.errors import Cancelled, SkylineViewshedError
-
-LOG_TAG = "Skyline Viewshed"
+from ...core.base.errors import Cancelled
+from .faults import sentence_of
 
 
 class Job:
-    """One piece of work; it is also the core's `Progress`, which tells the work that nobody wants it any more."""
+    """One piece of work; it is also the core's `Progress`, through which outdated work is cancelled."""
 
     def __init__(self, key, work, done, failed):
         self.key, self.work, self.done, self.failed = key, work, done, failed
@@ -36,11 +32,23 @@ class Job:
             self.result = self.work(self)
         except Cancelled:
             self.stale = True
-        except SkylineViewshedError as error:
-            self.fault = in_users_language(error.message)
-        except Exception:  # our own fault, but no reason to lose the panel
-            QgsMessageLog.logMessage(traceback.format_exc(), LOG_TAG, Qgis.MessageLevel.Warning)
-            self.fault = tr("An unexpected error occurred. Please report it and attach the log.")
+        except Exception as error:
+            self.fault = sentence_of(error)
+
+    def deliver(self):
+        """Give the result, or the sentence of the fault, to whoever asked for it."""
+        if self.fault is None:
+            self.fault = _fault_of(self.done, self.result)
+        if self.fault is not None and self.failed is not None:
+            _fault_of(self.failed, self.fault)
+
+
+def _fault_of(take, value):
+    try:
+        take(value)
+    except Exception as error:
+        return sentence_of(error)
+    return None
 
 
 class Lane(QObject):
@@ -118,7 +126,4 @@ class Lane(QObject):
             if job.stale or id(self._latest.get(job.key)) != id(job):
                 return
             del self._latest[job.key]
-        if job.fault is None:
-            job.done(job.result)
-        elif job.failed is not None:
-            job.failed(job.fault)
+        job.deliver()

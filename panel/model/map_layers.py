@@ -71,29 +71,24 @@ def _is_derived(layer):
     return layer.fields().lookupField("photo") >= 0
 
 
-def read_layers(layers, ground, dem_crs, project):
+def read_layers(layers, dem_crs, project):
     """Read layers for `traces_of`; in the thread to which they belong.
 
     Parameters
     ----------
     layers : list of QgsVectorLayer
-    ground : Ground
     dem_crs : QgsCoordinateReferenceSystem
     project : QgsProject
     """
-    from ...core.mapping.sightline import SightOptions
-
     context = QgsProcessingContext()
     context.setProject(project)
     found = []
     for layer in layers:
         try:
             transform = to_dem_transform(layer.crs(), dem_crs, context)
-            features = read_map_features(_Source(layer), transform, _name_field(layer), "")
+            found.append(read_map_features(_Source(layer), transform, _name_field(layer), ""))
         except QgsProcessingException:  # nothing of the layer lies where the DEM's CRS is valid
             continue
-        options = SightOptions(max_distance_m=REACH_M)
-        found.append(ImageFeatures(ground.terrain, features, options, Placement(step_px=STEP_PX), None))
     return found
 
 
@@ -102,7 +97,7 @@ def traces_of(readings, item, ground, camera, pose):
 
     Parameters
     ----------
-    readings : list of ImageFeatures
+    readings : list of lists of MapFeature
     item : PhotoItem
     ground : Ground
     camera : Camera
@@ -113,12 +108,15 @@ def traces_of(readings, item, ground, camera, pose):
     traces : list of Trace
     names : list of (text, azimuth, elevation angle)
     """
+    from ...core.mapping.sightline import SightOptions
+
+    options = SightOptions(max_distance_m=REACH_M)
     view = view_of(ground, posed_photo(ground, camera, pose))
     photo = OpenedPhoto(item.point.feature, item.name, item.path, view, ground.terrain, True, SILENT)
     traces, names = [], []
     for features in readings:
-        features.terrain = ground.terrain  # that of this thread
-        named, strokes = features.add(photo)
+        drawn = ImageFeatures(ground.terrain, features, options, Placement(step_px=STEP_PX), None)
+        named, strokes = drawn.add(photo)
         names += [(point.words, *map(float, view.ray_of(point.x_px, point.y_px))) for point in named]
         for stroke in strokes:
             azimuth, elevation = view.ray_of(stroke.x_px, stroke.y_px)
@@ -143,7 +141,7 @@ def summit_layer(project, photo_layer):
 
 
 def read_summit_layer(layer, dem_crs, project):
-    """Read named summits; None if there is no layer, so that the DEM is searched.
+    """Read named summits; None if there is no layer, or none of it can be used, so that the DEM is searched.
 
     Parameters
     ----------
@@ -157,7 +155,10 @@ def read_summit_layer(layer, dem_crs, project):
     context.setProject(project)
     height = next(f.name() for f in layer.fields() if f.name().lower() in HEIGHT_NAMES)
     transform = to_dem_transform(layer.crs(), dem_crs, context)
-    return read_summits(_Source(layer), _name_field(layer), height, transform)
+    try:
+        return read_summits(_Source(layer), _name_field(layer), height, transform)
+    except QgsProcessingException:  # nothing of the layer lies where the DEM's CRS is valid
+        return None
 
 
 def visible_summits(ground, camera, pose, given):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 from qgis.core import (
@@ -23,7 +23,7 @@ from ...algorithms.shared.photo_points import POSE_FIELDS, PoseReading, photo_po
 from ...core.base.camera import Pose
 
 DOUBTFUL = ("ambiguous", "rejected", "failed")
-REVIEW_FIELD = "review"
+REVIEW_FIELD, PREVIEW_FIELD = "review", "preview"
 VERDICTS = ("accepted", "rejected", "doubtful")
 NUMBERS = ("width", "height", "compass", "heading_2", "heading_3", "radius")
 """Further fields whose numbers the panel uses."""
@@ -38,6 +38,8 @@ class PhotoItem:
     fid : int
     name : str
     path : str or None
+    preview : str or None
+        A smaller picture to look at if there is no file at `path`.
     point : PhotoPoint
     values : dict
         Number or None for `POSE_FIELDS`, the heading's interval and `NUMBERS`.
@@ -48,11 +50,18 @@ class PhotoItem:
     fid: int
     name: str
     path: str | None
+    preview: str | None
     point: Any
     values: dict[str, Any] = field(default_factory=dict)
     status: str = ""
     message: str = ""
     review: str = ""
+
+    @property
+    def known(self):
+        """What the layer says of the photograph, to be compared."""
+        place = self.point.observer and (self.point.observer.longitude_deg, self.point.observer.latitude_deg)
+        return self.path, self.preview, place, self.values, self.status, self.message, self.review
 
     @property
     def pose(self):
@@ -127,10 +136,11 @@ class PhotoLayer:
         request = QgsFeatureRequest().setFlags(QgsFeatureRequest.Flag.NoGeometry).setSubsetOfAttributes([index])
         return {f.id(): "" if is_null(f[index]) else str(f[index]) for f in self.layer.getFeatures(request)}
 
-    def paths(self):
-        """Absolute path of each photograph by identifier."""
-        folders = folders_of(self.layer, self.project)
-        return {fid: absolute_path(text, folders) for fid, text in self.column(self.path_field).items()}
+    def files(self):
+        """Path of each photograph and of what stands in for it, by identifier; see `_files`."""
+        folders, previews = folders_of(self.layer, self.project), self.column(PREVIEW_FIELD)
+        texts = self.column(self.path_field)
+        return {fid: _files(text, previews.get(fid, ""), folders) for fid, text in texts.items()}
 
     def item(self, fid):
         """Read one photograph; None if the feature does not exist any more."""
@@ -139,14 +149,16 @@ class PhotoLayer:
             return None
         wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
         transform = QgsCoordinateTransform(self.layer.crs(), wgs84, self.project.transformContext())
-        path = absolute_path(feature[self.path_field], folders_of(self.layer, self.project))
+        path, preview = _files(
+            _text(feature, self.path_field), _text(feature, PREVIEW_FIELD), folders_of(self.layer, self.project)
+        )
         name = Path(path).name if path else label_of(feature)
         values = {**pose_values(feature, POSE_FIELDS), **{key: _number(feature, key) for key in NUMBERS}}
         size = (values["width"], values["height"]) if values["width"] and values["height"] else None
         row = _Row(feature, name, *position_of(feature, transform))
         point = photo_point(row, values, PoseReading(level=True), path, size)
         texts = [_text(feature, key) for key in ("status", "message", REVIEW_FIELD)]
-        return PhotoItem(fid, name, path, point, values, *texts)
+        return PhotoItem(fid, name, path, preview, point, values, *texts)
 
     def after(self, fid, step, among=None):
         """Identifier of the next (+1) or previous (-1) photograph, only those in `among` if given; None at the end."""
@@ -164,6 +176,30 @@ class PhotoLayer:
     def reviewed(self):
         """Identifiers of the photographs that have a verdict."""
         return {fid for fid, verdict in self.column(REVIEW_FIELD).items() if verdict}
+
+
+def _files(text, preview, folders):
+    """Absolute path of a photograph, or None, and of a picture that stands in for it if there is no such file, or None.
+
+    The field `preview` counts from the layer's folder. Orient photos writes the photograph itself there if QGIS can
+    show it, so that a photograph can be found there too; otherwise it is a smaller copy, in which pixels do not count.
+
+    Parameters
+    ----------
+    text, preview : str
+        Content of the fields.
+    folders : sequence of Path
+        From `folders_of`.
+    """
+    path = absolute_path(text, folders) if text else None
+    if not preview or (path and Path(path).is_file()):
+        return path, None
+    shown = absolute_path(preview, folders)
+    if not Path(shown).is_file():
+        return path, None
+    if path and Path(shown).name == PureWindowsPath(path).name:
+        return shown, None
+    return path, shown
 
 
 def _number(feature, name):

@@ -62,6 +62,8 @@ class Session(QObject):
     dem : DemHolder or None
     item : PhotoItem or None
     picture : Picture or None
+    preview : Picture or None
+        What is shown in place of a photograph whose file is missing.
     ground : Ground or None
     evidence : SkylineEvidence or None
     live : Draft or None
@@ -72,6 +74,7 @@ class Session(QObject):
     dem: Any
     item: Any
     picture: Any
+    preview: Any
     ground: Any
     evidence: Any
     live: Any
@@ -92,7 +95,7 @@ class Session(QObject):
         self._forget()
 
     def _forget(self):
-        self.item = self.picture = self.ground = self.evidence = self.live = self.history = None
+        self.item = self.picture = self.preview = self.ground = self.evidence = self.live = self.history = None
 
     @property
     def draft(self):
@@ -134,8 +137,8 @@ class Session(QObject):
         return found
 
     def unkept(self):
-        """Number of photographs with a correction that the layer does not have."""
-        return sum(history.changed for history in self._histories.values())
+        """Identifiers of the photographs with a correction that the layer does not have."""
+        return {fid for fid, history in self._histories.items() if history.changed}
 
     def set_layer(self, photos):
         """Show another layer, or none."""
@@ -191,6 +194,21 @@ class Session(QObject):
             self._lack_picture(tr("The point names no photo. Fill its path field."))
         self._look_around()
 
+    def look_again(self):
+        """Show what the layer holds now, after an edit that was not made here; an unkept correction stays."""
+        if self.item is None or self.photos is None:
+            return
+        item = self.photos.item(self.item.fid)
+        if item is not None and item.known == self.item.known:
+            return
+        if item is not None and self.history is not None and self.history.changed:
+            self.item = item
+            self._look_around()
+            self.draft_changed.emit()
+        else:
+            self._histories.pop(self.item.fid, None)
+            self.show(self.item.fid)
+
     def start_over(self):
         """Forget all corrections, and show the photograph as the layer has it."""
         fid = None if self.item is None else self.item.fid
@@ -219,6 +237,12 @@ class Session(QObject):
         self.told.emit(sentence)
         values = self.item.values
         self._begin((int(values["width"] or NOMINAL_WIDTH_PX), int(values["height"] or 0.75 * NOMINAL_WIDTH_PX)), None)
+        self.picture_changed.emit()
+        if self.item.preview:
+            self.pictures.request(self.item.preview, self._take_preview, self.told.emit)
+
+    def _take_preview(self, picture):
+        self.preview = picture
         self.picture_changed.emit()
 
     def _take_evidence(self, evidence):

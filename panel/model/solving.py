@@ -15,10 +15,11 @@ TOLERANCE_DEG = 4.0
 """How far the matcher looks around the heading that a person set [degrees]."""
 
 ANCHOR_SHARE = 60.0
-"""The long side of the picture divided by this is how exactly a person places the horizon [pixels]."""
+"""Standard deviation of the drawn horizon as a landmark: the long side of the picture divided by this [pixels]. It is
+five times that of a hand (`adjust.HAND_SHARE`), so that the skyline decides within it."""
 
 FAR_DEG = 8.0
-"""An answer farther from the heading that a person set is not theirs [degrees]."""
+"""An answer farther than this from the heading that a person set is another one, and is not taken [degrees]."""
 
 UNDECIDED = Message(
     "The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the "
@@ -60,7 +61,7 @@ def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
         return draft, answer.message
     if draft.pose is not None:
         away = abs(difference(best.pose.heading_deg, draft.pose.heading_deg))
-        # The heading itself comes back where the skyline decides nothing.
+        # If the skyline decides nothing, the same heading comes back.
         if away < 1e-9 or away > FAR_DEG:
             return draft, UNDECIDED
     interval = (answer.heading_lo_deg, answer.heading_hi_deg)

@@ -15,13 +15,17 @@ from qgis.core import (
 
 from ...algorithms.shared.i18n import tr
 from ...algorithms.shared.styling import STYLES
+from .faults import guarded
 
 ALGORITHM = "skylineviewshed:directedviewshed"
 PHOTO_PROPERTY = "skyline_viewshed/viewshed_of"
 
+_RUNNING: set[Any] = set()
+"""Runs that have not ended: their tasks use context and feedback to the end, also after the panel is gone."""
+
 
 class ViewshedRun:
-    """One run in the background; it keeps alive what the task needs.
+    """One run in the background; it stays alive until its task has ended, since that uses its context.
 
     Parameters
     ----------
@@ -40,8 +44,9 @@ class ViewshedRun:
         self._correct(values)
         self.context, self.feedback = QgsProcessingContext(), QgsProcessingFeedback()
         self.context.setProject(project)
-        self.told: Any = None
+        self.say: Any = None
         self.task: Any = None
+        self.cancelled = False
         self.parameters = {
             "INPUT": self.points,
             "DEM": dem_layer,
@@ -61,7 +66,7 @@ class ViewshedRun:
         if algorithm is None:
             told(tr("The algorithm Directed viewshed is not there. Switch Processing on in the plugin manager."))
             return
-        self.told = told
+        self.say = told
         self.algorithm = algorithm.create()
         passed, message = self.algorithm.checkParameterValues(self.parameters, self.context)
         if not passed:
@@ -69,24 +74,34 @@ class ViewshedRun:
             return
         self.task = QgsProcessingAlgRunnerTask(self.algorithm, self.parameters, self.context, self.feedback)
         self.task.executed.connect(self._finish)
+        _RUNNING.add(self)
         QgsApplication.taskManager().addTask(self.task)
 
     def cancel(self):
-        """Stop the run."""
-        if self.task is not None:
-            self.feedback.cancel()
-            self.told = lambda sentence: None
+        """Stop the run; its result is not wanted any more."""
+        self.cancelled = True
+        self.feedback.cancel()
 
+    @guarded
     def _finish(self, successful, results):
+        _RUNNING.discard(self)
+        if self.cancelled:
+            return
         path = results.get("OUTPUT") if successful else None
         if not path:
-            self.told(tr("The viewshed could not be computed. The log of Processing says why."))
+            self.say(tr("The viewshed could not be computed. The log of Processing says why."))
             return
         layer = QgsRasterLayer(str(path), tr("Viewshed of {photo}").format(photo=self.item.name))
         layer.loadNamedStyle(str(STYLES / "viewshed.qml"))
         layer.setCustomProperty(PHOTO_PROPERTY, self.item.path or self.item.name)
         self.project.addMapLayer(layer)
-        self.told(tr("The viewshed of {photo} is in the project.").format(photo=self.item.name))
+        self.say(tr("The viewshed of {photo} is in the project.").format(photo=self.item.name))
+
+
+def cancel_viewsheds():
+    """Stop all runs."""
+    for run in _RUNNING:
+        run.cancel()
 
 
 def highlight_viewsheds(project, root, item):

@@ -10,6 +10,7 @@ from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPol
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...algorithms.shared.i18n import tr
+from ..model.faults import guarded
 
 PENS = {
     "horizon": ("#ff3b30", 2.0, False),
@@ -50,6 +51,7 @@ class PictureCanvas(QWidget):
 
     hovered = pyqtSignal(float, float)
     left = pyqtSignal()
+    failed = pyqtSignal(str)
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -68,6 +70,7 @@ class PictureCanvas(QWidget):
         self.notice = ""
         self.scale, self.origin = 1.0, QPointF(0.0, 0.0)
         self._fitted, self._background, self._grip = True, None, None
+        self.say = self.failed.emit
 
     def show_picture(self, levels, size_px):
         """Show a picture from its smaller copies, or an empty frame of a size without any."""
@@ -117,6 +120,7 @@ class PictureCanvas(QWidget):
             return False
         return -0.5 <= x_px <= self.size_px[0] - 0.5 and -0.5 <= y_px <= self.size_px[1] - 0.5
 
+    @guarded
     def mousePressEvent(self, event):
         """Begin to pan, or pass the press to the tool."""
         self.setFocus()
@@ -130,8 +134,9 @@ class PictureCanvas(QWidget):
         free = self.tool is None or self.tool.pans
         return free and event.button() == Qt.MouseButton.LeftButton
 
+    @guarded
     def mouseMoveEvent(self, event):
-        """Pan, pass the move on, and say where the mouse is."""
+        """Pan, or pass the move on and report the pixel under the mouse."""
         if self._grip is not None:
             start, origin = self._grip
             self.origin, self._fitted, self._background = origin + QPointF(event.pos() - start), False, None
@@ -145,6 +150,7 @@ class PictureCanvas(QWidget):
         else:
             self.left.emit()
 
+    @guarded
     def mouseReleaseEvent(self, event):
         """End what the press began."""
         if self._grip is not None:
@@ -153,6 +159,7 @@ class PictureCanvas(QWidget):
         elif self.tool is not None and self.size_px is not None:
             self.tool.release(self.to_picture(event.pos()), event)
 
+    @guarded
     def mouseDoubleClickEvent(self, event):
         """Finish a drawing, or show the whole picture."""
         if self.tool is not None and not self.tool.pans:
@@ -161,9 +168,10 @@ class PictureCanvas(QWidget):
             self.fit()
 
     def leaveEvent(self, event):
-        """Tell that the mouse is gone."""
+        """Report that the mouse has left the picture."""
         self.left.emit()
 
+    @guarded
     def wheelEvent(self, event):
         """Zoom the picture, unless the tool takes the wheel; with Ctrl it never does."""
         notches = event.angleDelta().y() / NOTCH
@@ -172,6 +180,7 @@ class PictureCanvas(QWidget):
             return
         self.zoom_by(ZOOM_PER_NOTCH**notches, QPointF(event.position()))
 
+    @guarded
     def keyPressEvent(self, event):
         """Give the keys to the tool first."""
         if self.tool is None or not self.tool.key(event):
@@ -183,6 +192,7 @@ class PictureCanvas(QWidget):
         if self._fitted:
             self.fit()
 
+    @guarded
     def paintEvent(self, event):
         """Paint the picture, which is kept as it was last scaled, and the overlays over it."""
         painter = QPainter(self)
@@ -211,6 +221,7 @@ class PictureCanvas(QWidget):
         whole = QRectF(self.origin, QSizeF(self.size_px[0] * self.scale, self.size_px[1] * self.scale))
         if not self.levels:
             painter.fillRect(whole, QColor(70, 74, 80))
+            painter.end()
             return pixmap
         fine = [level for level in self.levels if level.width() >= whole.width()]
         level = fine[-1] if fine else self.levels[0]

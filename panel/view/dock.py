@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textwrap import shorten
+
 from qgis.core import QgsMapLayerProxyModel, QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
@@ -9,11 +11,11 @@ from qgis.PyQt.QtWidgets import (
     QAction,
     QActionGroup,
     QFormLayout,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QMenu,
     QProgressBar,
-    QToolBar,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -23,14 +25,17 @@ from ...algorithms.shared.i18n import tr
 from ..model.overlays import KINDS, SHOWN_AT_FIRST
 from .actions import Keys, key_text, make_action, overlay_texts, specs, verdict_specs
 from .canvas import PictureCanvas
+from .flow import Flow
 from .strip import Strip
 
 SHOWN_SETTING = "skyline_viewshed/photo_view/shown"
 ICON_PX = 18
+LONGEST_MESSAGE = 90
+"""Characters of a message above the picture, so that it leaves the picture its room."""
 
 
 class PhotoViewDock(QgsDockWidget):
-    """All widgets of the panel; the controller gives them life.
+    """All widgets of the panel; the controller connects them.
 
     Parameters
     ----------
@@ -38,7 +43,6 @@ class PhotoViewDock(QgsDockWidget):
     parent : QWidget or None
     """
 
-    closed_by_user = pyqtSignal()
     shown_changed = pyqtSignal()
 
     def __init__(self, pictures, parent=None):
@@ -76,8 +80,7 @@ class PhotoViewDock(QgsDockWidget):
         whole.setContentsMargins(4, 4, 4, 4)
         whole.setSpacing(3)
         whole.addLayout(form)
-        for bar in self._toolbars():
-            whole.addWidget(bar)
+        whole.addLayout(self._tool_rows())
         whole.addWidget(self.photo_label)
         whole.addWidget(self.canvas, 1)
         whole.addWidget(self.place_label)
@@ -88,30 +91,36 @@ class PhotoViewDock(QgsDockWidget):
         inside.setLayout(whole)
         self.setWidget(inside)
 
-    def _toolbars(self):
-        """Two rows: going, tools and drawing; then what acts on the photograph."""
-        first, second = QToolBar(), QToolBar()
+    def _tool_rows(self):
+        """Going, tools and drawing, and what acts on the photograph, in as many rows as the width needs."""
+        rows = Flow()
         self.tools = QActionGroup(self)
-        bar = first
         for spec in specs():
-            if spec.name == "face":
-                bar = second
-            elif spec.breaks:
-                bar.addSeparator()
+            if spec.breaks:
+                rows.addWidget(self._separator())
             action = make_action(spec, self)
             if spec.tool:
                 self.tools.addAction(action)
             if spec.key:
                 self.keys.bind(spec.key, action)
             self.actions[spec.name] = action
-            bar.addAction(action)
+            button = QToolButton()
+            button.setDefaultAction(action)
+            button.setAutoRaise(True)
+            button.setIconSize(QSize(ICON_PX, ICON_PX))
+            rows.addWidget(button)
         self.actions["look"].setChecked(True)
         self.actions["review"].setCheckable(True)
-        second.addWidget(self._overlay_button())
-        second.addWidget(self._more_button())
-        for row in (first, second):
-            row.setIconSize(QSize(ICON_PX, ICON_PX))
-        return first, second
+        rows.addWidget(self._overlay_button())
+        rows.addWidget(self._more_button())
+        return rows
+
+    def _separator(self):
+        line = QFrame()
+        line.setFrameShape(QFrame.Shape.VLine)
+        line.setFrameShadow(QFrame.Shadow.Sunken)
+        line.setMinimumSize(6, ICON_PX + 4)
+        return line
 
     def _overlay_button(self):
         shown = QgsSettings().value(SHOWN_SETTING, ",".join(SHOWN_AT_FIRST)).split(",")
@@ -180,6 +189,11 @@ class PhotoViewDock(QgsDockWidget):
         """Kinds of overlays that are switched on."""
         return {kind for kind, switch in self.switches.items() if switch.isChecked()}
 
+    def show_photo_words(self, text, message):
+        """Show what is known of the photograph, with a long message cut; the tooltip has all of it."""
+        self.photo_label.setText(f"{text} {shorten(message, LONGEST_MESSAGE, placeholder=' ...')}".strip())
+        self.photo_label.setToolTip(message)
+
     def say(self, text):
         """Show a sentence below the picture."""
         self.told_label.setText(text)
@@ -191,8 +205,3 @@ class PhotoViewDock(QgsDockWidget):
             action.setEnabled(on)
         self.progress.setMaximum(max(count, 1))
         self.progress.setValue(done)
-
-    def closeEvent(self, event):
-        """Tell that the panel was closed."""
-        self.closed_by_user.emit()
-        super().closeEvent(event)

@@ -50,7 +50,7 @@ class SpotMark:
     camera: Camera
 
     def paint(self, canvas, painter):
-        """Paint a ring where the place is in the frame, an arrow towards it elsewhere."""
+        """Paint a ring if the place is in the frame, else an arrow towards it."""
         spot = self.spot
         dim = spot.state != "visible"
         painter.setPen(QPen(QColor("#ffffff" if dim else COLOUR), 2.5))

@@ -15,6 +15,7 @@ from ..model.pictures import THUMBNAIL_PX
 COLOURS = {"accepted": "#2da44e", "confirmed": "#0a84ff", "ambiguous": "#d29922", "rejected": "#cf222e"}
 FID = Qt.ItemDataRole.UserRole
 PATH = Qt.ItemDataRole.UserRole + 1
+SHOWN = Qt.ItemDataRole.UserRole + 2
 PAUSE_MS = 120
 WIDTH_PX = THUMBNAIL_PX + 16
 
@@ -50,15 +51,16 @@ class Strip(QListWidget):
         self.horizontalScrollBar().valueChanged.connect(lambda value: self._timer.start())
         self.currentItemChanged.connect(self._choose)
 
-    def show_photos(self, paths, statuses):
-        """Show other photographs: path and status by identifier."""
+    def show_photos(self, files, statuses):
+        """Show other photographs: (path, path of a picture that stands in for it) and status by identifier."""
         self._busy = True
         self.clear()
         self._rows = {}
-        for row, (fid, path) in enumerate(paths.items()):
+        for row, (fid, (path, preview)) in enumerate(files.items()):
             item = QListWidgetItem(self._blank(statuses.get(fid, "")), Path(path).name if path else str(fid))
             item.setData(FID, fid)
             item.setData(PATH, path or "")
+            item.setData(SHOWN, preview or path or "")
             item.setToolTip(f"{path or ''}\n{statuses.get(fid, '')}".strip())
             self.addItem(item)
             self._rows[fid] = row
@@ -73,11 +75,18 @@ class Strip(QListWidget):
         item = self.item(row)
         name = Path(item.data(PATH)).name or str(fid)
         item.setText(f"• {name}" if changed else name)
-        item.setForeground(QColor(COLOURS[status]) if status in COLOURS else self.palette().text().color())
+        item.setForeground(self._ink(status))
         item.setToolTip(f"{item.data(PATH)}\n{status}".strip())
 
+    def _ink(self, status):
+        """Colour of a name: that of the status, lighter on a dark ground."""
+        if status not in COLOURS:
+            return self.palette().text().color()
+        dark = self.palette().base().color().lightness() < 128
+        return QColor(COLOURS[status]).lighter(150 if dark else 100)
+
     def select(self, fid):
-        """Make a photograph the current one without telling anybody."""
+        """Make a photograph the current one without a signal."""
         row = self._rows.get(fid, -1)
         self._busy = True
         self.setCurrentRow(row)
@@ -101,7 +110,7 @@ class Strip(QListWidget):
             return
         self.pictures.cancel_thumbnails()
         for row in range(first, min(first + self.viewport().width() // WIDTH_PX + 2, self.count())):
-            path, fid = self.item(row).data(PATH), self.item(row).data(FID)
+            path, fid = self.item(row).data(SHOWN), self.item(row).data(FID)
             if path and Path(path).exists():
                 self.pictures.thumbnail(path, partial(self._take, fid))
 

@@ -23,7 +23,7 @@ NUDGES = {
 
 
 class Tool:
-    """Looks on: the left button pans, the wheel zooms.
+    """Changes nothing: the left button pans, the wheel zooms.
 
     Parameters
     ----------

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 from panel_hand import Hand, write_photos
-from qgis.core import QgsProject, QgsRasterLayer, QgsRectangle, QgsSettings, QgsVectorLayer
+from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsRectangle, QgsSettings, QgsVectorLayer
 from qgis.PyQt.QtTest import QTest
 
 
@@ -21,11 +21,17 @@ def photos(scene, tmp_path):
 
 @pytest.fixture
 def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
-    """Make a project with layers and open the panel on it."""
+    """Make a project with layers and open the panel on it; an unforeseen error of the panel fails the test."""
     from skyline_viewshed.panel.controller import PhotoView
 
     QgsSettings().remove("skyline_viewshed")
-    made = []
+    made, faults = [], []
+
+    def note(text, tag, level):
+        if "Traceback" in text:
+            faults.append(text)
+
+    QgsApplication.messageLog().messageReceived.connect(note)
 
     def make(path, dem=True):
         project = QgsProject.instance()
@@ -47,7 +53,7 @@ def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
         made.append(view)
         hand = Hand(view)
         hand.settle()
-        return SimpleNamespace(view=view, hand=hand, layer=layer, project=project, session=view.session)
+        return SimpleNamespace(view=view, hand=hand, layer=layer, project=project, session=view.session, faults=faults)
 
     yield make
     for view in made:
@@ -55,6 +61,8 @@ def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
     QTest.qWait(20)
     qgis_new_project.clear()
     gc.collect()
+    QgsApplication.messageLog().messageReceived.disconnect(note)
+    assert not faults, faults[0]
 
 
 @pytest.fixture

@@ -7,10 +7,13 @@ import shutil
 import numpy as np
 import pytest
 from panel_hand import write_photos
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRasterLayer, QgsVectorLayer
-from qgis.PyQt.QtCore import Qt
+from qgis.core import QgsCoordinateReferenceSystem, QgsField, QgsPointXY, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import Qt, QVariant
 from qgis.PyQt.QtTest import QTest
 from skyline_viewshed.panel.model.overlays import KINDS
+from skyline_viewshed.panel.view.actions import specs
+
+TOOL_ROW = {spec.name for spec in specs()}
 
 
 def test_the_panel_opens_with_picture_and_horizon(panel):
@@ -121,6 +124,56 @@ def test_every_overlay_can_be_switched(panel):
     assert dock.canvas.lines == []
 
 
+def test_map_layers_follow_the_pose(panel):
+    from qgis.core import QgsFeature, QgsGeometry
+
+    outline = QgsVectorLayer("LineString?crs=EPSG:4326", "trail", "memory")
+    eye, feature = panel_eye(panel.session), QgsFeature(outline.fields())
+    points = [QgsPointXY(eye[0] + 0.02, eye[1] + 0.001 * k) for k in range(-3, 4)]
+    feature.setGeometry(QgsGeometry.fromPolylineXY(points))
+    outline.dataProvider().addFeatures([feature])
+    panel.project.addMapLayer(outline)
+    panel.view.iface.mapCanvas().setLayers([outline])
+    panel.view.dock.switches["map"].setChecked(True)
+    panel.hand.settle()
+    canvas = panel.view.dock.canvas
+    assert not {"map", "hidden"} & {line.kind for line in canvas.lines}  # it lies east, the camera looks north
+    panel.hand.press("face")
+    panel.hand.click_map(eye[0] + 0.02, eye[1])
+    panel.hand.settle()
+    assert {"map", "hidden"} & {line.kind for line in canvas.lines}
+
+
+@pytest.mark.parametrize("width", [260, 420, 900])
+def test_every_button_is_in_sight_whatever_the_width(panel, width):
+    from qgis.PyQt.QtWidgets import QToolButton
+
+    inside = panel.view.dock.widget()
+    inside.setParent(None)
+    inside.resize(width, 800)
+    inside.show()
+    QTest.qWait(50)
+    shown = {button.defaultAction(): button for button in inside.findChildren(QToolButton) if button.isVisible()}
+    wanted = [action for name, action in panel.view.dock.actions.items() if name in TOOL_ROW]
+    assert len(wanted) > 20 and set(wanted) <= set(shown)
+    assert all(shown[a].x() >= 0 and shown[a].geometry().right() < inside.width() for a in wanted)
+    corners = {(shown[a].x(), shown[a].y()) for a in wanted}
+    assert len(corners) == len(wanted)
+    panel.view.dock.setWidget(inside)
+
+
+def test_a_long_message_leaves_the_picture_its_room(panel):
+    message = "The heading is doubtful because " + 20 * "of this and that "
+    panel.layer.startEditing()
+    panel.layer.changeAttributeValue(panel.session.item.fid, panel.layer.fields().lookupField("message"), message)
+    panel.session.show(panel.session.item.fid)
+    panel.hand.settle()
+    label = panel.view.dock.photo_label
+    assert "The heading is doubtful" in label.text() and label.text().endswith("...") and len(label.text()) < 220
+    assert label.toolTip() == message
+    panel.layer.rollBack()
+
+
 def test_zoom_and_pan_keep_the_pixel_under_the_mouse(panel):
     canvas, hand = panel.view.dock.canvas, panel.hand
     before = hand.at(600, 300)
@@ -145,7 +198,8 @@ def test_review_takes_one_key_per_verdict(panel):
     assert dock.progress.value() == 2
     assert sorted(f["review"] for f in panel.layer.getFeatures()) == ["accepted", "doubtful"]
     panel.layer.undoStack().undo()
-    assert len([1 for f in panel.layer.getFeatures() if f["review"]]) == 1
+    hand.settle()
+    assert len([1 for f in panel.layer.getFeatures() if f["review"]]) == 1 and dock.progress.value() == 1
     hand.press("review")
     hand.key(Qt.Key.Key_A)
     assert not dock.review_bar.isVisible()
@@ -190,6 +244,44 @@ def test_a_missing_photograph_still_shows_its_horizon(make_view, scene, tmp_path
     assert "north.jpg" in panel.hand.said
     assert "horizon" in {line.kind for line in panel.view.dock.canvas.lines}
     panel.view.dock.grab()
+
+
+def write_previews(path, names):
+    """Fill the field `preview` of a layer's file."""
+    layer = QgsVectorLayer(str(path), "photos", "ogr")
+    layer.startEditing()
+    assert layer.addAttribute(QgsField("preview", QVariant.String)) or layer.fields().lookupField("preview") >= 0
+    for feature in list(layer.getFeatures()):
+        index = layer.fields().lookupField("preview")
+        assert layer.changeAttributeValue(feature.id(), index, names[feature["filename"]])
+    assert layer.commitChanges()
+
+
+def test_a_photograph_that_moved_is_found_by_its_preview(make_view, scene, tmp_path):
+    path = tmp_path / "photos.gpkg"
+    write_photos(path, scene, folder="elsewhere")
+    write_previews(path, {name: str(scene.folder / f"{name}.jpg") for name in scene.truth})
+    panel = make_view(path)
+    assert panel.session.item.path == str(scene.folder / "north.jpg")
+    assert panel.session.picture is not None and panel.session.evidence is not None
+
+
+def test_a_smaller_copy_is_shown_for_a_photograph_that_is_missing(make_view, scene, tmp_path):
+    from PIL import Image
+
+    path, folder = tmp_path / "photos.gpkg", tmp_path / "photos_previews"
+    folder.mkdir()
+    for name in scene.truth:
+        Image.open(scene.folder / f"{name}.jpg").resize((400, 300)).save(folder / f"{name}_small.jpg")
+    write_photos(path, scene, folder="elsewhere")
+    write_previews(path, {name: f"photos_previews/{name}_small.jpg" for name in scene.truth})
+    panel = make_view(path)
+    canvas = panel.view.dock.canvas
+    assert panel.session.picture is None and "north.jpg" in panel.hand.said
+    assert canvas.levels[0].width() == 400 and canvas.notice == ""
+    assert canvas.size_px == (800, 600)  # pixels count in the photograph
+    panel.hand.press("snap")
+    assert "picture" in panel.hand.said and "missing" in panel.hand.said
 
 
 def test_a_damaged_photograph_gets_a_sentence(make_view, scene, tmp_path):

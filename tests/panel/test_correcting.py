@@ -50,7 +50,13 @@ def test_a_drag_a_snap_and_keep_rescue_a_photograph_in_four_steps(panel, scene):
     assert difference(row["heading_lo"], row["heading"]) < 0 < difference(row["heading_hi"], row["heading"])
     assert not panel.session.history.changed and "edit buffer" in hand.said
     layer.undoStack().undo()
+    hand.settle()
     assert layer.getFeature(panel.session.item.fid)["status"] == "ambiguous"
+    assert error_deg(panel, scene) == pytest.approx(5.0, abs=0.1)
+    assert "ambiguous" in panel.view.dock.photo_label.text()
+    layer.undoStack().redo()
+    hand.settle()
+    assert error_deg(panel, scene) < 0.3 and "confirmed" in panel.view.dock.photo_label.text()
     layer.rollBack()
     hand.settle()
     assert error_deg(panel, scene) == pytest.approx(5.0, abs=0.1) and not panel.session.history.can_undo
@@ -189,7 +195,7 @@ def test_a_correction_waits_for_its_photograph(panel):
     changed = hand.draft
     hand.press("next")
     hand.settle()
-    assert session.unkept() == 1
+    assert len(session.unkept()) == 1
     hand.press("previous")
     hand.settle()
     assert hand.draft == changed and "changed, not kept" in panel.view.dock.photo_label.text()
@@ -225,6 +231,30 @@ def test_a_read_only_layer_gets_a_sentence(panel):
     panel.hand.press("review")
     panel.hand.key(Qt.Key.Key_A)
     assert "read-only" in panel.hand.said
+
+
+def test_an_edit_elsewhere_leaves_an_unkept_correction(panel):
+    hand, layer, fid = panel.hand, panel.layer, panel.session.item.fid
+    hand.press("correct")
+    hand.drag((400, 300), (450, 300))
+    changed = hand.draft
+    layer.startEditing()
+    layer.beginEditCommand("elsewhere")
+    layer.changeAttributeValue(fid, layer.fields().lookupField("status"), "rejected")
+    layer.endEditCommand()
+    hand.settle()
+    assert hand.draft == changed and panel.session.item.status == "rejected"
+    assert panel.view.dock.strip.currentItem().text() == "• north.jpg"
+    layer.rollBack()
+
+
+def test_a_folder_that_cannot_be_written_gets_a_sentence(panel, photos):
+    (photos.parent / "photo_view").write_text("a file in the folder's place")
+    panel.hand.press("brush")
+    panel.hand.click(300, 200)
+    panel.hand.press("keep")
+    assert "cannot be written" in panel.hand.said and panel.session.history.changed
+    panel.layer.rollBack()
 
 
 def test_a_damaged_file_of_landmarks_is_not_written_over(panel, photos):

@@ -80,3 +80,18 @@ def test_the_viewshed_of_the_photograph_becomes_a_layer(panel, provider):
     panel.hand.press("next")
     panel.hand.settle()
     assert not panel.project.layerTreeRoot().findLayer(made[0].id()).itemVisibilityChecked()
+
+
+def test_viewsheds_that_are_cancelled_end_without_a_layer(panel, provider):
+    from skyline_viewshed.panel.model.viewsheds import _RUNNING, cancel_viewsheds
+
+    panel.hand.press("viewshed")
+    panel.hand.press("viewshed")
+    assert len(_RUNNING) == 2  # the first one stays alive, since its task still uses it
+    cancel_viewsheds()
+    for _ in range(600):
+        QTest.qWait(50)
+        if not _RUNNING:
+            break
+    assert not _RUNNING and "Computing" in panel.hand.said
+    assert not [layer for layer in panel.project.mapLayers().values() if layer.name().startswith("Viewshed of")]
