@@ -1,4 +1,4 @@
-"""What photographs of one walk know together: the clock of their camera."""
+"""Find the offset of a camera's clock from the photographs of one walk."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What photographs of one walk know about one another."""
+"""Hints that accepted photographs give to others of the same walk."""

@@ -1,4 +1,4 @@
-"""What accepted photographs tell about the heading of others: by features in common, and by the error of the compass.
+"""Hints on headings from accepted photographs: by features in common, and by the error of the compass.
 
 A compass is wrong in much the same way for an hour, as the steel and the calibration that mislead it stay the same. Its
 error at accepted photographs therefore corrects its readings at the others.
