@@ -58,8 +58,9 @@ class ExpectedAccuracy(DemAlgorithm):
                 "holds the truth."
             ),
             tr(
-                "The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real "
-                "photographs can be worse: compare with the figures for real photographs in the documentation."
+                "The simulated mountains are rougher than the DEM. Each photograph takes some "
+                "seconds. Real photographs can give worse results: compare with the figures for real "
+                "photographs in the documentation."
             ),
         ]
 
@@ -95,7 +96,10 @@ class ExpectedAccuracy(DemAlgorithm):
         text = tr("Standard deviation of the recorded position in each direction.")
         error = shared.distance("POSITION_ERROR", tr("Error of the position (m)"), 6.0, text)
         self.addParameter(shared.advanced(error))
-        text = tr("Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.")
+        text = tr(
+            "Roughness of the mountains that the DEM does not show, in cells of the DEM. 0: the "
+            "photographs show the DEM itself."
+        )
         rough = shared.number("DETAIL", tr("Roughness beyond the DEM"), 0.22, text, minimum=0.0, maximum=2.0)
         self.addParameter(shared.advanced(rough))
         text = tr("The same seed gives the same photographs.")

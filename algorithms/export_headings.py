@@ -97,7 +97,7 @@ class ExportHeadings(SkylineAlgorithm):
             "KML",
             tr("KML or KMZ"),
             tr("KMZ files (*.kmz);;KML files (*.kml)"),
-            tr("For Google Earth; KMZ has the pictures in it."),
+            tr("For Google Earth; a KMZ file contains the pictures."),
         )
         self._add_file("TABLE", tr("Table"), tr("CSV files (*.csv)"), tr("One line per photo, for spreadsheets."))
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))

@@ -48,9 +48,10 @@ class ImportPhotos(SkylineAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's "
-                "<i>Import geotagged photos</i> and adds what orientation needs: 35 mm equivalent, field of view, "
-                "size of the upright picture, reference of the compass (true or magnetic), GPS error, camera."
+                "Makes one point per photograph with a position. It writes the same fields as QGIS's "
+                "<i>Import geotagged photos</i> and adds what orientation needs: 35 mm equivalent, "
+                "field of view, size of the upright picture, reference of the compass (true or "
+                "magnetic), GPS error, camera."
             ),
             tr(
                 "Values that a file does not contain are NULL. The optional table of rejected photographs "
@@ -62,7 +63,9 @@ class ImportPhotos(SkylineAlgorithm):
         """Declare parameters and outputs."""
         self.addParameter(
             shared.folder_in(
-                "FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files are recognised by their content.")
+                "FOLDER",
+                tr("Folder of photographs"),
+                tr("JPEG and HEIC files, and PNG, TIFF and WebP files that record a position."),
             )
         )
         self.addParameter(

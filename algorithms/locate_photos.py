@@ -76,12 +76,22 @@ class LocatePhotos(DemAlgorithm):
     def initAlgorithm(self, config=None):
         """Declare parameters and outputs."""
         folder = shared.folder_in(
-            "FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files are recognised by their content."), True
+            "FOLDER",
+            tr("Folder of photographs"),
+            tr("JPEG and HEIC files, and PNG, TIFF and WebP files that record a position."),
+            True,
         )
         self.addParameter(folder)
         recursive = QgsProcessingParameterBoolean("RECURSIVE", tr("Include subfolders"), False)
         self.addParameter(shared.explained(shared.advanced(recursive), tr("Also searches all subfolders.")))
-        self.addParameter(shared.photo_source(optional=True))
+        points = shared.photo_source(optional=True)
+        points.setHelp(
+            tr(
+                "One point per photograph, in place of a folder. Its position is the centre of a search in a radius; "
+                "otherwise it is only compared with the answer."
+            )
+        )
+        self.addParameter(points)
         self.addParameter(shared.advanced(shared.photo_field()))
         self.addParameter(shared.dem())
         self.addParameter(shared.band())

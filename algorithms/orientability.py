@@ -87,7 +87,10 @@ class Orientability(DemAlgorithm):
         self.addParameter(shared.advanced(shared.distance("CELL", tr("Cells of the raster (m)"), 500.0, text, 10.0)))
         text = tr("One point per place and field of view, with the probability in eight directions.")
         self.addParameter(shared.points_out("OUTPUT", tr("Orientability of places"), optional=True, text=text))
-        text = tr("Bands: mean probability, probability in eight directions, and expected error, for the first field.")
+        text = tr(
+            "Bands: mean probability, probability in eight directions, and expected error (°), for the "
+            "first field of view."
+        )
         raster = shared.raster_out("RASTER", tr("Orientability"), optional=True, create=False, text=text)
         self.addParameter(raster)
         self.addParameter(shared.report_out())

@@ -89,7 +89,10 @@ class PhotoViewshed(DemAlgorithm):
 
         self.addParameter(
             shared.folder_in(
-                "FOLDER", tr("Folder of photographs"), tr("JPEG and HEIC files with a GPS position."), optional=True
+                "FOLDER",
+                tr("Folder of photographs"),
+                tr("JPEG and HEIC files, and PNG, TIFF and WebP files that record a position."),
+                optional=True,
             )
         )
         self.addParameter(shared.photo_source(optional=True))

@@ -59,9 +59,10 @@ class PositionPhotos(SkylineAlgorithm):
         """Paragraphs of the help."""
         return [
             tr(
-                "Makes one point per photograph at the place of the track at the photograph's time. The point's error "
-                "(<b>pos_err</b>) grows with the gap between the track points around it; <i>Orient photos</i> takes it "
-                "into account. Where the track has nothing, the point has no geometry and <b>pos_note</b> says why."
+                "Makes one point per photograph at the place of the track at the photograph's time. "
+                "The point's error (<b>pos_err</b>) grows with the gap between the track points "
+                "around it; <i>Orient photos</i> takes it into account. If the track gives no "
+                "position for that time, the point has no geometry and <b>pos_note</b> says why."
             ),
             tr(
                 "Cameras record local time. The time zone is read from the file, or taken from the parameter. If the "
@@ -107,7 +108,10 @@ class PositionPhotos(SkylineAlgorithm):
         error = shared.distance("TRACK_ERROR", tr("Error of the track (m)"), 5.0, text, minimum=0.1, optional=True)
         self.addParameter(shared.advanced(gap))
         self.addParameter(shared.advanced(error))
-        text = tr("One point per photograph, with its error and where it comes from; no geometry where there is none.")
+        text = tr(
+            "One point per photograph, with the source of its position and its error; without geometry if "
+            "there is no position."
+        )
         self.addParameter(shared.points_out("OUTPUT", tr("Positioned photos"), text=text))
         for name, label in (
             ("COUNT", tr("Number of photos")),

@@ -163,7 +163,6 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>JPEG and HEIC files with a GPS position.</source>
         <translation>JPEG- und HEIC-Dateien mit GPS-Position.</translation>
     </message>
@@ -572,8 +571,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
-        <translation>Die Kamera sieht rauere Berge als das DGM. Ein Foto dauert einige Sekunden. Echte Fotos können schlechter sein: Vergleichen Sie mit den Zahlen für echte Fotos in der Dokumentation.</translation>
+        <source>The simulated mountains are rougher than the DEM. Each photograph takes some seconds. Real photographs can give worse results: compare with the figures for real photographs in the documentation.</source>
+        <translation>Die simulierten Berge sind rauer als das DGM. Jedes Foto dauert einige Sekunden. Echte Fotos können schlechtere Ergebnisse liefern: Vergleichen Sie mit den Zahlen für echte Fotos in der Dokumentation.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -664,8 +663,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
-        <translation>Rauheit der Berge, die das DGM nicht zeigt, in seinen Zellen; 0 fotografiert das DGM selbst.</translation>
+        <source>Roughness of the mountains that the DEM does not show, in cells of the DEM. 0: the photographs show the DEM itself.</source>
+        <translation>Rauheit der Berge, die das DGM nicht zeigt, in Zellen des DGM. 0: Die Fotos zeigen das DGM selbst.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -900,8 +899,8 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
-        <source>For Google Earth; KMZ has the pictures in it.</source>
-        <translation>Für Google Earth; KMZ enthält die Bilder.</translation>
+        <source>For Google Earth; a KMZ file contains the pictures.</source>
+        <translation>Für Google Earth; eine KMZ-Datei enthält die Bilder.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1175,8 +1174,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
-        <translation>Erzeugt einen Punkt je JPEG- oder HEIC-Foto mit Position. Es schreibt dieselben Felder wie &lt;i&gt;Geotaggte Fotos importieren&lt;/i&gt; von QGIS und ergänzt, was die Orientierung braucht: kleinbildäquivalente Brennweite, Bildwinkel, Größe des aufrecht stehenden Bildes, Kompassbezug (geographisch oder magnetisch), GPS-Fehler, Kamera.</translation>
+        <source>Makes one point per photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Erzeugt einen Punkt je Foto mit Position. Es schreibt dieselben Felder wie &lt;i&gt;Geotaggte Fotos importieren&lt;/i&gt; von QGIS und ergänzt, was die Orientierung braucht: kleinbildäquivalente Brennweite, Bildwinkel, Größe des aufrecht stehenden Bildes, Kompassbezug (geographisch oder magnetisch), GPS-Fehler, Kamera.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1186,8 +1185,9 @@
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>JPEG and HEIC files are recognised by their content.</source>
-        <translation>JPEG- und HEIC-Dateien werden am Inhalt erkannt.</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files, and PNG, TIFF and WebP files that record a position.</source>
+        <translation>JPEG- und HEIC-Dateien sowie PNG-, TIFF- und WebP-Dateien, die eine Position enthalten.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1355,6 +1355,11 @@
         <location filename="../algorithms/locate_photos.py"/>
         <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
         <translation>Die Horizonte des Gebiets werden einmal berechnet, etwa 2 ms je Ort. Wählen Sie einen Ordner für sie, um sie wieder zu verwenden. Ein weiter Blick auf ferne Berge lässt sich gut lokalisieren, eine Teleaufnahme oder ein naher Hang nicht. Ein Ort kann verraten, wo Menschen leben oder waren: Gehen Sie verantwortungsvoll mit der Antwort um.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph, in place of a folder. Its position is the centre of a search in a radius; otherwise it is only compared with the answer.</source>
+        <translation>Ein Punkt je Foto, anstelle eines Ordners. Seine Position ist die Mitte einer Suche in einem Umkreis; sonst wird sie nur mit der Antwort verglichen.</translation>
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
@@ -1941,8 +1946,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
-        <translation>Bänder: mittlere Wahrscheinlichkeit, Wahrscheinlichkeit in acht Richtungen und erwarteter Fehler, für den ersten Bildwinkel.</translation>
+        <source>Bands: mean probability, probability in eight directions, and expected error (°), for the first field of view.</source>
+        <translation>Bänder: mittlere Wahrscheinlichkeit, Wahrscheinlichkeit in acht Richtungen und erwarteter Fehler (°), für den ersten Bildwinkel.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
@@ -2435,8 +2440,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
-        <translation>Erzeugt für jedes Foto einen Punkt an der Stelle des Tracks zur Aufnahmezeit. Der Fehler des Punkts (&lt;b&gt;pos_err&lt;/b&gt;) wächst mit der Lücke zwischen den Trackpunkten ringsum; &lt;i&gt;Fotos orientieren&lt;/i&gt; berücksichtigt ihn. Wo der Track nichts enthält, hat der Punkt keine Geometrie, und &lt;b&gt;pos_note&lt;/b&gt; nennt den Grund.</translation>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. If the track gives no position for that time, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Erzeugt für jedes Foto einen Punkt an der Stelle des Tracks zur Aufnahmezeit. Der Fehler des Punkts (&lt;b&gt;pos_err&lt;/b&gt;) wächst mit der Lücke zwischen den Trackpunkten ringsum; &lt;i&gt;Fotos orientieren&lt;/i&gt; berücksichtigt ihn. Wenn der Track für diese Zeit keine Position ergibt, hat der Punkt keine Geometrie, und &lt;b&gt;pos_note&lt;/b&gt; nennt den Grund.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2520,8 +2525,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
-        <translation>Ein Punkt je Foto mit seinem Fehler und seiner Herkunft; ohne Geometrie, wo es keine Position gibt.</translation>
+        <source>One point per photograph, with the source of its position and its error; without geometry if there is no position.</source>
+        <translation>Ein Punkt je Foto mit Herkunft und Fehler seiner Position; ohne Geometrie, wenn es keine Position gibt.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3209,8 +3214,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Angenommene Fotos helfen denen, über die keine Horizontlinie allein entscheidet: durch gemeinsame Bildmerkmale, wo die Kamera nur gedreht wurde (erfordert OpenCV), und durch den Fehler des Kompasses, der sich bei einer Kamera innerhalb einer Stunde kaum ändert. Angenommene Antworten ändern sich nicht. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB je Foto.</translation>
+        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Angenommene Fotos helfen denen, über die ihre eigene Horizontlinie nicht entscheidet: durch gemeinsame Bildmerkmale, wenn die Kamera nur gedreht wurde (erfordert OpenCV), und durch den Fehler des Kompasses, der sich innerhalb einer Stunde kaum ändert. Angenommene Antworten ändern sich nicht. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB je Foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -3343,8 +3348,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
-        <translation>Robust: genaue Geometrie der Kamera, eine Suche über alle Blickrichtungen und ein Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien, zum Vergleich; sie verwendet keine Hinweise, Landmarken, gezeichneten Horizontlinien oder Masken.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines on a flat earth, for comparison; it does not use the compass, hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robust: genaue Geometrie der Kamera, eine Suche über alle Blickrichtungen und ein Fehlerbalken. Aufsatz: die veröffentlichte Korrelation der Horizontlinien auf einer flachen Erde, zum Vergleich; sie verwendet weder Kompass noch Hinweise, Landmarken, gezeichnete Horizontlinien oder Masken.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3363,8 +3368,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
-        <translation>Ignorieren: Die Kompassrichtung wird nur berichtet. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Das Verfahren Aufsatz verwendet den Kompass nicht.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorieren: Die Blickrichtung wird ohne Kompass bestimmt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3373,8 +3378,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
-        <translation>Meter über dem Geländemodell, verwendet, wenn keine absolute Höhe gegeben ist.</translation>
+        <source>Metres above the elevation model.</source>
+        <translation>Meter über dem Geländemodell.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3388,8 +3393,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
-        <translation>Anteil der Erdkrümmung, den die Refraktion ausgleicht; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt, außer in der eigenen Suche des Verfahrens Aufsatz, die eine flache Erde annimmt.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied.</source>
+        <translation>Anteil der Erdkrümmung, den die Refraktion ausgleicht; 0,13 ist üblich. Die Krümmung selbst wird immer berücksichtigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4070,8 +4075,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
-        <translation>Je Foto ein GeoTIFF mit der Wahrscheinlichkeit (0 bis 1), dass das Bild eine Zelle zeigt, bei den Fehlern unten und dem Intervall der Blickrichtung. Erfordert den Bereich Bildausschnitt und dauert etwa fünfmal so lange.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the intervals of the pose and the errors below. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Je Foto ein GeoTIFF mit der Wahrscheinlichkeit (0 bis 1), dass das Bild eine Zelle zeigt, bei den Intervallen der Orientierung und den Fehlern unten. Erfordert den Bereich Bildausschnitt und dauert etwa fünfmal so lange.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4100,8 +4105,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Standardabweichung, für Wahrscheinlichkeiten.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its pitch.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Verwendet, wenn das Foto kein Intervall des Nickwinkels hat.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4110,13 +4115,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
-        <translation>Standardabweichung, für Wahrscheinlichkeiten. Sie wirkt sich vor allem auf Gelände weit von der Bildmitte aus.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its roll. It mainly affects ground far from the picture's centre.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Verwendet, wenn das Foto kein Intervall des Rollwinkels hat. Sie wirkt sich vor allem auf Gelände weit von der Bildmitte aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
         <translation>Fehler der Brennweite (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its field of view.</source>
+        <translation>Standardabweichung, für Wahrscheinlichkeiten. Verwendet, wenn das Foto kein Intervall des Bildwinkels hat.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>

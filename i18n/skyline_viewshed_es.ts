@@ -163,7 +163,6 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>JPEG and HEIC files with a GPS position.</source>
         <translation>Archivos JPEG y HEIC con posición GPS.</translation>
     </message>
@@ -572,8 +571,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
-        <translation>La cámara ve montañas más rugosas que el MDE. Una foto tarda algunos segundos. Las fotos reales pueden ser peores: compare con las cifras de fotos reales en la documentación.</translation>
+        <source>The simulated mountains are rougher than the DEM. Each photograph takes some seconds. Real photographs can give worse results: compare with the figures for real photographs in the documentation.</source>
+        <translation>Las montañas simuladas son más rugosas que el MDE. Cada foto tarda algunos segundos. Las fotos reales pueden dar peores resultados: compare con las cifras de fotos reales en la documentación.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -664,8 +663,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
-        <translation>Rugosidad de las montañas que el MDE no muestra, en sus celdas; 0 fotografía el propio MDE.</translation>
+        <source>Roughness of the mountains that the DEM does not show, in cells of the DEM. 0: the photographs show the DEM itself.</source>
+        <translation>Rugosidad de las montañas que el MDE no muestra, en celdas del MDE. 0: las fotos muestran el propio MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -900,8 +899,8 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
-        <source>For Google Earth; KMZ has the pictures in it.</source>
-        <translation>Para Google Earth; KMZ contiene las imágenes.</translation>
+        <source>For Google Earth; a KMZ file contains the pictures.</source>
+        <translation>Para Google Earth; un archivo KMZ contiene las imágenes.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1175,8 +1174,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
-        <translation>Crea un punto por fotografía JPEG o HEIC con posición. Escribe los mismos campos que &lt;i&gt;Importar fotos geoetiquetadas&lt;/i&gt; de QGIS y añade lo que la orientación necesita: distancia focal equivalente en 35 mm, ángulo de visión, tamaño de la imagen enderezada, referencia de la brújula (geográfica o magnética), error del GPS, cámara.</translation>
+        <source>Makes one point per photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Crea un punto por fotografía con posición. Escribe los mismos campos que &lt;i&gt;Importar fotos geoetiquetadas&lt;/i&gt; de QGIS y añade lo que la orientación necesita: distancia focal equivalente en 35 mm, ángulo de visión, tamaño de la imagen enderezada, referencia de la brújula (geográfica o magnética), error del GPS, cámara.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1186,8 +1185,9 @@
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>JPEG and HEIC files are recognised by their content.</source>
-        <translation>Los archivos JPEG y HEIC se reconocen por su contenido.</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files, and PNG, TIFF and WebP files that record a position.</source>
+        <translation>Archivos JPEG y HEIC, y archivos PNG, TIFF y WebP que registran una posición.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1355,6 +1355,11 @@
         <location filename="../algorithms/locate_photos.py"/>
         <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
         <translation>Los horizontes del área se calculan una vez, unos 2 ms por lugar. Elija una carpeta para ellos si quiere volver a usarlos. Una vista amplia de montañas lejanas se localiza bien; un teleobjetivo o una ladera cercana, no. Un lugar puede revelar dónde viven o estuvieron personas: use la respuesta con responsabilidad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph, in place of a folder. Its position is the centre of a search in a radius; otherwise it is only compared with the answer.</source>
+        <translation>Un punto por fotografía, en lugar de una carpeta. Su posición es el centro de una búsqueda en un radio; de lo contrario solo se compara con la respuesta.</translation>
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
@@ -1941,8 +1946,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
-        <translation>Bandas: probabilidad media, probabilidad en ocho direcciones y error esperado, para el primer ángulo.</translation>
+        <source>Bands: mean probability, probability in eight directions, and expected error (°), for the first field of view.</source>
+        <translation>Bandas: probabilidad media, probabilidad en ocho direcciones y error esperado (°), para el primer ángulo de visión.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
@@ -2435,8 +2440,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
-        <translation>Crea un punto por fotografía en el lugar del track a la hora de la fotografía. El error del punto (&lt;b&gt;pos_err&lt;/b&gt;) crece con el intervalo entre los puntos del track que lo rodean; &lt;i&gt;Orientar fotos&lt;/i&gt; lo tiene en cuenta. Donde el track no contiene nada, el punto no tiene geometría y &lt;b&gt;pos_note&lt;/b&gt; indica el motivo.</translation>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. If the track gives no position for that time, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Crea un punto por fotografía en el lugar del track a la hora de la fotografía. El error del punto (&lt;b&gt;pos_err&lt;/b&gt;) crece con el intervalo entre los puntos del track que lo rodean; &lt;i&gt;Orientar fotos&lt;/i&gt; lo tiene en cuenta. Si el track no da una posición para esa hora, el punto no tiene geometría y &lt;b&gt;pos_note&lt;/b&gt; indica el motivo.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2520,8 +2525,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
-        <translation>Un punto por fotografía, con su error y su procedencia; sin geometría donde no la hay.</translation>
+        <source>One point per photograph, with the source of its position and its error; without geometry if there is no position.</source>
+        <translation>Un punto por fotografía, con el origen de su posición y su error; sin geometría si no hay posición.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3209,8 +3214,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Las fotos aceptadas ayudan a aquellas que ninguna línea del horizonte decide por sí sola: mediante rasgos comunes, donde la cámara solo giró (requiere OpenCV), y mediante el error de la brújula, que una cámara mantiene durante una hora. Las respuestas aceptadas no cambian. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
+        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Las fotos aceptadas ayudan a aquellas que su propia línea del horizonte no decide: mediante rasgos comunes si la cámara solo giró (requiere OpenCV), y mediante el error de la brújula, que apenas cambia en una hora. Las respuestas aceptadas no cambian. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -3343,8 +3348,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
-        <translation>Robusto: geometría exacta de la cámara, una búsqueda en todos los rumbos y un margen de error. Artículo: la correlación publicada de las líneas del horizonte, para comparar; no usa indicaciones, puntos de referencia, líneas del horizonte dibujadas ni máscaras.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines on a flat earth, for comparison; it does not use the compass, hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robusto: geometría exacta de la cámara, una búsqueda en todos los rumbos y un margen de error. Artículo: la correlación publicada de las líneas del horizonte sobre una tierra plana, para comparar; no usa la brújula, indicaciones, puntos de referencia, líneas del horizonte dibujadas ni máscaras.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3363,8 +3368,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
-        <translation>Ignorar: el rumbo de la brújula solo se informa. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone. El método artículo no usa la brújula.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorar: el rumbo se determina sin la brújula. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3373,8 +3378,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
-        <translation>Metros sobre el MDE, usados si no se da una altitud absoluta.</translation>
+        <source>Metres above the elevation model.</source>
+        <translation>Metros sobre el MDE.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3388,8 +3393,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
-        <translation>Parte de la curvatura terrestre que la refracción compensa; 0,13 es lo usual. La curvatura misma se aplica siempre, salvo en la búsqueda propia del método artículo, que supone una tierra plana.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied.</source>
+        <translation>Parte de la curvatura terrestre que la refracción compensa; 0,13 es lo usual. La curvatura misma se aplica siempre.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4070,8 +4075,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
-        <translation>Un GeoTIFF por foto con la probabilidad (0 a 1) de que la imagen muestre una celda, dados los errores de abajo y el intervalo del rumbo. Requiere el área encuadre de la foto y tarda unas cinco veces más.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the intervals of the pose and the errors below. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Un GeoTIFF por foto con la probabilidad (0 a 1) de que la imagen muestre una celda, dados los intervalos de la orientación y los errores de abajo. Requiere el área encuadre de la foto y tarda unas cinco veces más.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4100,8 +4105,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Desviación típica, para las probabilidades.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its pitch.</source>
+        <translation>Desviación típica, para las probabilidades. Se usa si la foto no tiene intervalo del cabeceo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4110,13 +4115,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
-        <translation>Desviación típica, para las probabilidades. Afecta sobre todo al terreno alejado del centro de la imagen.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its roll. It mainly affects ground far from the picture's centre.</source>
+        <translation>Desviación típica, para las probabilidades. Se usa si la foto no tiene intervalo del alabeo. Afecta sobre todo al terreno alejado del centro de la imagen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
         <translation>Error de la distancia focal (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its field of view.</source>
+        <translation>Desviación típica, para las probabilidades. Se usa si la foto no tiene intervalo del ángulo de visión.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>

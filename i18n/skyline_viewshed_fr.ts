@@ -163,7 +163,6 @@
     </message>
     <message>
         <location filename="../processing_provider/models.py"/>
-        <location filename="../algorithms/photo_viewshed.py"/>
         <source>JPEG and HEIC files with a GPS position.</source>
         <translation>Fichiers JPEG et HEIC avec une position GPS.</translation>
     </message>
@@ -572,8 +571,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>The camera sees mountains that are rougher than the DEM. A photograph takes some seconds. Real photographs can be worse: compare with the figures for real photographs in the documentation.</source>
-        <translation>L'appareil voit des montagnes plus rugueuses que le MNT. Une photo prend quelques secondes. De vraies photos peuvent être plus difficiles : comparez avec les chiffres pour de vraies photos dans la documentation.</translation>
+        <source>The simulated mountains are rougher than the DEM. Each photograph takes some seconds. Real photographs can give worse results: compare with the figures for real photographs in the documentation.</source>
+        <translation>Les montagnes simulées sont plus rugueuses que le MNT. Chaque photo prend quelques secondes. De vraies photos peuvent donner de moins bons résultats : comparez avec les chiffres pour de vraies photos dans la documentation.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -664,8 +663,8 @@
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
-        <source>Roughness of the mountains that the DEM does not show, in its cells; 0 photographs the DEM itself.</source>
-        <translation>Rugosité des montagnes que le MNT ne montre pas, en cellules ; 0 photographie le MNT lui-même.</translation>
+        <source>Roughness of the mountains that the DEM does not show, in cells of the DEM. 0: the photographs show the DEM itself.</source>
+        <translation>Rugosité des montagnes que le MNT ne montre pas, en cellules du MNT. 0 : les photos montrent le MNT lui-même.</translation>
     </message>
     <message>
         <location filename="../algorithms/expected_accuracy.py"/>
@@ -900,8 +899,8 @@
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
-        <source>For Google Earth; KMZ has the pictures in it.</source>
-        <translation>Pour Google Earth ; KMZ contient les images.</translation>
+        <source>For Google Earth; a KMZ file contains the pictures.</source>
+        <translation>Pour Google Earth ; un fichier KMZ contient les images.</translation>
     </message>
     <message>
         <location filename="../algorithms/export_headings.py"/>
@@ -1175,8 +1174,8 @@
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
-        <source>Makes one point per JPEG or HEIC photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
-        <translation>Crée un point par photo JPEG ou HEIC qui a une position. Écrit les mêmes champs que &lt;i&gt;Importer des photos géolocalisées&lt;/i&gt; de QGIS et ajoute ce dont l'orientation a besoin : focale équivalente 35 mm, angle de champ, taille de l'image redressée, référence de la boussole (géographique ou magnétique), erreur GPS, appareil.</translation>
+        <source>Makes one point per photograph with a position. It writes the same fields as QGIS's &lt;i&gt;Import geotagged photos&lt;/i&gt; and adds what orientation needs: 35 mm equivalent, field of view, size of the upright picture, reference of the compass (true or magnetic), GPS error, camera.</source>
+        <translation>Crée un point par photo qui a une position. Écrit les mêmes champs que &lt;i&gt;Importer des photos géolocalisées&lt;/i&gt; de QGIS et ajoute ce dont l'orientation a besoin : focale équivalente 35 mm, angle de champ, taille de l'image redressée, référence de la boussole (géographique ou magnétique), erreur GPS, appareil.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1186,8 +1185,9 @@
     <message>
         <location filename="../algorithms/import_photos.py"/>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>JPEG and HEIC files are recognised by their content.</source>
-        <translation>Les fichiers JPEG et HEIC sont reconnus à leur contenu.</translation>
+        <location filename="../algorithms/photo_viewshed.py"/>
+        <source>JPEG and HEIC files, and PNG, TIFF and WebP files that record a position.</source>
+        <translation>Fichiers JPEG et HEIC, et fichiers PNG, TIFF et WebP qui contiennent une position.</translation>
     </message>
     <message>
         <location filename="../algorithms/import_photos.py"/>
@@ -1355,6 +1355,11 @@
         <location filename="../algorithms/locate_photos.py"/>
         <source>The horizons of the area are computed once, about 2 ms for each place. Choose a folder for them to use them again. A wide view of far mountains can be located well; a telephoto view or a near slope cannot. A place can reveal where people live or were: use the answer responsibly.</source>
         <translation>Les horizons de la zone sont calculés une fois, environ 2 ms par lieu. Choisissez un dossier pour eux afin de les réutiliser. Une vue large de montagnes lointaines se localise bien ; un téléobjectif ou une pente proche, non. Un lieu peut révéler où des personnes vivent ou se trouvaient : utilisez la réponse de façon responsable.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
+        <source>One point per photograph, in place of a folder. Its position is the centre of a search in a radius; otherwise it is only compared with the answer.</source>
+        <translation>Un point par photographie, à la place d'un dossier. Sa position est le centre d'une recherche dans un rayon ; sinon, elle est seulement comparée à la réponse.</translation>
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
@@ -1941,8 +1946,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>Bands: mean probability, probability in eight directions, and expected error, for the first field.</source>
-        <translation>Bandes : probabilité moyenne, probabilité dans huit directions et erreur attendue, pour le premier angle.</translation>
+        <source>Bands: mean probability, probability in eight directions, and expected error (°), for the first field of view.</source>
+        <translation>Bandes : probabilité moyenne, probabilité dans huit directions et erreur attendue (°), pour le premier angle de champ.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
@@ -2435,8 +2440,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. Where the track has nothing, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
-        <translation>Crée un point par photographie, au lieu de la trace à l’heure de la prise de vue. L’erreur du point (&lt;b&gt;pos_err&lt;/b&gt;) croît avec l’intervalle entre les points de trace qui l’entourent ; &lt;i&gt;Orienter des photos&lt;/i&gt; en tient compte. Là où la trace ne contient rien, le point n’a pas de géométrie et &lt;b&gt;pos_note&lt;/b&gt; en donne la raison.</translation>
+        <source>Makes one point per photograph at the place of the track at the photograph's time. The point's error (&lt;b&gt;pos_err&lt;/b&gt;) grows with the gap between the track points around it; &lt;i&gt;Orient photos&lt;/i&gt; takes it into account. If the track gives no position for that time, the point has no geometry and &lt;b&gt;pos_note&lt;/b&gt; says why.</source>
+        <translation>Crée un point par photographie, au lieu de la trace à l’heure de la prise de vue. L’erreur du point (&lt;b&gt;pos_err&lt;/b&gt;) croît avec l’intervalle entre les points de trace qui l’entourent ; &lt;i&gt;Orienter des photos&lt;/i&gt; en tient compte. Si la trace ne donne pas de position pour cette heure, le point n’a pas de géométrie et &lt;b&gt;pos_note&lt;/b&gt; en donne la raison.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2520,8 +2525,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>One point per photograph, with its error and where it comes from; no geometry where there is none.</source>
-        <translation>Un point par photographie, avec son erreur et sa provenance ; sans géométrie là où il n’y en a pas.</translation>
+        <source>One point per photograph, with the source of its position and its error; without geometry if there is no position.</source>
+        <translation>Un point par photographie, avec l’origine de sa position et son erreur ; sans géométrie s’il n’y a pas de position.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -3209,8 +3214,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned (needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Les photos acceptées aident celles qu’aucune ligne d’horizon ne départage seule : par des points communs, là où l’appareil n’a fait que tourner (nécessite OpenCV), et par l’erreur de la boussole, qu’un appareil conserve pendant une heure. Les réponses acceptées ne changent pas. Tous les résultats restent en mémoire jusqu’à la fin, environ 3 Mo par photo.</translation>
+        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Les photos acceptées aident celles que leur propre ligne d’horizon ne départage pas : par des points communs si l’appareil n’a fait que tourner (nécessite OpenCV), et par l’erreur de la boussole, qui change peu en une heure. Les réponses acceptées ne changent pas. Tous les résultats restent en mémoire jusqu’à la fin, environ 3 Mo par photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -3343,8 +3348,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines, for comparison; it does not use hints, landmarks, drawn skylines or masks.</source>
-        <translation>Robuste : géométrie exacte de l'appareil, recherche sur tous les azimuts et marge d'erreur. Article : la corrélation publiée des lignes d'horizon, pour comparaison ; elle n'utilise ni indications, ni repères, ni lignes d'horizon dessinées, ni masques.</translation>
+        <source>Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the published correlation of skylines on a flat earth, for comparison; it does not use the compass, hints, landmarks, drawn skylines or masks.</source>
+        <translation>Robuste : géométrie exacte de l'appareil, recherche sur tous les azimuts et marge d'erreur. Article : la corrélation publiée des lignes d'horizon sur une terre plate, pour comparaison ; elle n'utilise ni boussole, ni indications, ni repères, ni lignes d'horizon dessinées, ni masques.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3363,8 +3368,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. The paper method does not use the compass.</source>
-        <translation>Ignorer : l'azimut de la boussole est seulement rapporté. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte. La méthode article n'utilise pas la boussole.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorer : l'azimut de visée est déterminé sans la boussole. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3373,8 +3378,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Metres above the elevation model, used if no absolute elevation is given.</source>
-        <translation>Mètres au-dessus du MNT, utilisés si aucune altitude absolue n'est donnée.</translation>
+        <source>Metres above the elevation model.</source>
+        <translation>Mètres au-dessus du MNT.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -3388,8 +3393,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied, except in the paper method's own search, which assumes a flat earth.</source>
-        <translation>Part de la courbure terrestre que la réfraction compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée, sauf dans la recherche propre à la méthode article, qui suppose une terre plate.</translation>
+        <source>Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself is always applied.</source>
+        <translation>Part de la courbure terrestre que la réfraction compense ; 0,13 est habituel. La courbure elle-même est toujours appliquée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4070,8 +4075,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the errors below and the heading's interval. Requires the area photo frame, and takes about five times as long.</source>
-        <translation>Un GeoTIFF par photo avec la probabilité (0 à 1) que l'image montre une cellule, compte tenu des erreurs ci-dessous et de l'intervalle de l'azimut de visée. Demande l'étendue cadre de la photo, et prend environ cinq fois plus de temps.</translation>
+        <source>One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given the intervals of the pose and the errors below. Requires the area photo frame, and takes about five times as long.</source>
+        <translation>Un GeoTIFF par photo avec la probabilité (0 à 1) que l'image montre une cellule, compte tenu des intervalles de l'orientation et des erreurs ci-dessous. Demande l'étendue cadre de la photo, et prend environ cinq fois plus de temps.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4100,8 +4105,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities.</source>
-        <translation>Écart type, pour les probabilités.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its pitch.</source>
+        <translation>Écart type, pour les probabilités. Utilisé si la photo n'a pas d'intervalle du tangage.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
@@ -4110,13 +4115,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
-        <source>Standard deviation, for probabilities. It mainly affects ground far from the picture's centre.</source>
-        <translation>Écart type, pour les probabilités. Il touche surtout le terrain loin du centre de l'image.</translation>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its roll. It mainly affects ground far from the picture's centre.</source>
+        <translation>Écart type, pour les probabilités. Utilisé si la photo n'a pas d'intervalle du roulis. Il touche surtout le terrain loin du centre de l'image.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>
         <source>Error of the focal length (%)</source>
         <translation>Erreur de la focale (%)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/viewshed_extras.py"/>
+        <source>Standard deviation, for probabilities. Used if the photo has no interval of its field of view.</source>
+        <translation>Écart type, pour les probabilités. Utilisé si la photo n'a pas d'intervalle de l'angle de champ.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/viewshed_extras.py"/>

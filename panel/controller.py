@@ -1,4 +1,4 @@
-"""The controller: it passes what a person does to the model, and what the model knows to the widgets and the map."""
+"""The controller: it passes the user's actions to the model, and the model's state to the widgets and the map."""
 
 from __future__ import annotations
 

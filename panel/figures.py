@@ -1,4 +1,4 @@
-"""The tools of the picture: which one is in use, and what becomes of what was clicked and drawn."""
+"""The tools of the picture: which one is in use, and what is done with clicks and drawings."""
 
 from __future__ import annotations
 

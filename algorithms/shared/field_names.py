@@ -1,4 +1,4 @@
-"""Names of fields that a format keeps for itself, or takes for equal: found and changed before anything is written."""
+"""Find and change names of fields that a format reserves or does not distinguish, before anything is written."""
 
 from __future__ import annotations
 

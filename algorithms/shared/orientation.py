@@ -233,9 +233,10 @@ def add_joint_parameter(algorithm):
     """Declare whether the photographs of a walk are oriented together."""
     parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False, optional=True)
     text = tr(
-        "Accepted photos help those that no skyline decides alone: by features in common, where the camera only turned "
-        "(needs OpenCV), and by the compass's error, which one camera keeps for an hour. Accepted answers do not "
-        "change. All results stay in memory until the end, about 3 MB per photo."
+        "Accepted photos help those that their own skyline does not decide: by common features if the "
+        "camera only turned (needs OpenCV), and by the error of the compass, which changes little "
+        "within an hour. Accepted answers do not change. All results stay in memory until the end, "
+        "about 3 MB per photo."
     )
     algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 

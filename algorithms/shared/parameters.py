@@ -148,8 +148,8 @@ def method(name="METHOD", text=None):
         text
         or tr(
             "Robust: exact camera geometry, a search over all headings, and an error bar. Paper: the "
-            "published correlation of skylines, for comparison; it does not use hints, landmarks, drawn "
-            "skylines or masks."
+            "published correlation of skylines on a flat earth, for comparison; it does not use the "
+            "compass, hints, landmarks, drawn skylines or masks."
         ),
     )
 
@@ -164,9 +164,8 @@ def compass(name="COMPASS"):
             defaultValue=COMPASS_USES.index("ignore"),
         ),
         tr(
-            "Ignore: the compass heading is only reported. Hint: the compass heading is a prior, wide enough "
-            "for the usual errors of phones; a clear skyline overrules it. The paper method does not use "
-            "the compass."
+            "Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide "
+            "enough for the usual errors of phones; a clear skyline overrules it."
         ),
     )
 
@@ -195,7 +194,7 @@ def eye_height(default=1.7):
         "EYE_HEIGHT",
         tr("Camera height above ground (m)"),
         default,
-        tr("Metres above the elevation model, used if no absolute elevation is given."),
+        tr("Metres above the elevation model."),
     )
 
 
@@ -217,8 +216,8 @@ def refraction(default):
         tr("Refraction coefficient"),
         default,
         tr(
-            "Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature itself "
-            "is always applied, except in the paper method's own search, which assumes a flat earth."
+            "Share of the earth's curvature that refraction compensates; 0.13 is usual. The curvature "
+            "itself is always applied."
         ),
         minimum=0.0,
         maximum=0.99,

@@ -45,9 +45,9 @@ def add_extra_parameters(algorithm):
             "PROBABILITIES",
             tr("Folder for probabilities per photo"),
             tr(
-                "One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, given "
-                "the errors below and the heading's interval. Requires the area photo frame, and takes about "
-                "five times as long."
+                "One GeoTIFF per photo with the probability (0 to 1) that the picture shows a cell, "
+                "given the intervals of the pose and the errors below. Requires the area photo frame, "
+                "and takes about five times as long."
             ),
         ),
     ]
@@ -75,7 +75,7 @@ def error_parameters():
             "PITCH_ERROR",
             tr("Error of the pitch (°)"),
             usual.pitch_deg,
-            tr("Standard deviation, for probabilities."),
+            tr("Standard deviation, for probabilities. Used if the photo has no interval of its pitch."),
             minimum=0.0,
             maximum=45.0,
         ),
@@ -83,7 +83,10 @@ def error_parameters():
             "ROLL_ERROR",
             tr("Error of the roll (°)"),
             usual.roll_deg,
-            tr("Standard deviation, for probabilities. It mainly affects ground far from the picture's centre."),
+            tr(
+                "Standard deviation, for probabilities. Used if the photo has no interval of its roll. It "
+                "mainly affects ground far from the picture's centre."
+            ),
             minimum=0.0,
             maximum=45.0,
         ),
@@ -91,7 +94,7 @@ def error_parameters():
             "FOCAL_ERROR",
             tr("Error of the focal length (%)"),
             100 * usual.focal_relative,
-            tr("Standard deviation, for probabilities."),
+            tr("Standard deviation, for probabilities. Used if the photo has no interval of its field of view."),
             minimum=0.0,
             maximum=30.0,
         ),

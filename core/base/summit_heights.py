@@ -1,4 +1,4 @@
-"""Heights of summits as people write them, and whether the DEM bears them out."""
+"""Heights of summits as people write them, and whether the DEM agrees with them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How well could a photograph from a place be oriented, by direction and field of view, judged from the DEM alone?
+"""Predict from the DEM alone how well a photograph from a place could be oriented, by direction and field of view.
 
 A stretch of the horizon as wide as the field of view is compared with the horizon in every other direction, after the
 best shift and tilt, since pitch and roll are not known. If some other stretch is alike within the tolerance that the

@@ -3,7 +3,7 @@
 Python's own pools import the main program again in each worker, which is QGIS or a script without a guard, and end as a
 whole, or wait for ever, if one process dies. Here a worker is a plain Python process that is started like any other
 program. It ends when its pipe does, so that none outlives the run, however the run ends; and if one dies, only the
-photograph in its hands is lost.
+photograph that it worked on is lost.
 """
 
 from __future__ import annotations

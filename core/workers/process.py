@@ -1,4 +1,4 @@
-"""A worker as the pool sees it: a Python process, the pipes to it, and the tasks in its hands."""
+"""A worker as the pool sees it: a Python process, the pipes to it, and the tasks that it was given."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A layer of photo points as the panel sees it: which photographs, in which order, and what each point knows."""
+"""A layer of photo points as the panel sees it: which photographs, in which order, and the values of each point."""
 
 from __future__ import annotations
 
