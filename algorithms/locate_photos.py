@@ -256,7 +256,8 @@ class Search:
         except (AreaError, QgsProcessingException) as error:
             if self.area.is_common:
                 raise
-            return Located(row.path, "failed", getattr(error, "message", str(error))), None
+            message = error.message if isinstance(error, AreaError) else Message(str(error))
+            return Located(row.path, "failed", message), None
         try:
             located = self._located(row, index, log_weight, subtask(progress, 0.5, 1.0))
         except (TerrainError, OutputError, Cancelled):

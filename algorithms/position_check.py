@@ -126,8 +126,11 @@ class PositionCheck(DemAlgorithm):
             refraction_coefficient=self.parameterAsDouble(parameters, "REFRACTION", context),
         )
         locate = LocateOptions.of(index, (30.0, 75.0), 0.0)
-        ray = {"max_distance_m": index.max_distance_m, "refraction_coefficient": index.refraction_coefficient}
-        orient = OrientOptions(horizon=HorizonOptions(**ray))
+        orient = OrientOptions(
+            horizon=HorizonOptions(
+                max_distance_m=index.max_distance_m, refraction_coefficient=index.refraction_coefficient
+            )
+        )
         return CheckOptions(self.parameterAsDouble(parameters, "RADIUS", context), locate=locate, orient=orient)
 
     # parameters: what a run shares, what a photograph brings, and its progress

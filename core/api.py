@@ -6,7 +6,6 @@ clockwise from true north; lengths are metres; pixels count from 0 at the centre
 
 from __future__ import annotations
 
-import logging
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -35,7 +34,7 @@ from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
 from .io.whole_file import ReportFile
-from .many import JOINT_PART, OrientJob, fallen, look_again, outcomes_of
+from .many import JOINT_PART, OrientJob, answers_of, look_again, outcomes_of
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
@@ -234,23 +233,11 @@ def orient_many(
         return cluster_outcomes(client, job, tasks, part) if client else outcomes_of(job, tasks, part, workers)
 
     alone = subtask(whole, 0.0, JOINT_PART if joint else 1.0)
-    answers = _answers(orient_all(tasks, alone), listed)
+    answers = answers_of(orient_all(tasks, alone), tasks)
     together = look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0)) if joint else answers
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
         whole.report(1.0 if joint else (index + 1) / len(listed))
-
-
-def _answers(outcomes: Iterable[Any], listed: list[PhotoLike]) -> Iterator[OrientedPhoto]:
-    for index, outcome in enumerate(outcomes):
-        if isinstance(outcome.error, (TerrainError, TypeError)):
-            raise outcome.error
-        if outcome.error is None:
-            yield outcome.value
-        else:  # our own fault, but no reason to lose the other photographs
-            path = _path(listed[index])
-            logging.getLogger(__name__).error("%s\n%s", path, outcome.details, exc_info=outcome.error)
-            yield fallen(path, outcome.error, (f"{type(outcome.error).__name__}: {outcome.error}",))
 
 
 def horizon_profile(

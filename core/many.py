@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 from typing import Any
 
 from . import batch
 from .base.blas import one_blas_thread
-from .base.errors import PhotoError
+from .base.errors import PhotoError, TerrainError
 from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import subtask
@@ -139,6 +140,29 @@ def outcomes_of(job, tasks, progress, workers):
         team.begin(tasks, progress, [station_of(request) for request, _ in tasks])
         for index in range(len(tasks)):
             yield team.take(subtask(progress, index / len(tasks), (index + 1) / len(tasks)))
+
+
+def answers_of(outcomes, tasks):
+    """Yield the `OrientedPhoto` of each outcome; a wrong DEM or argument ends the run, our own fault only its photo.
+
+    Parameters
+    ----------
+    outcomes : iterable of Outcome
+    tasks : list of (PhotoRequest, Photo or None)
+        In the same order.
+
+    Raises
+    ------
+    TerrainError, TypeError
+    """
+    for outcome, (request, _) in zip(outcomes, tasks):
+        if isinstance(outcome.error, (TerrainError, TypeError)):
+            raise outcome.error
+        if outcome.error is None:
+            yield outcome.value
+        else:
+            logging.getLogger(__name__).error("%s\n%s", request.path, outcome.details, exc_info=outcome.error)
+            yield fallen(request.path, outcome.error, (f"{type(outcome.error).__name__}: {outcome.error}",))
 
 
 def look_again(tasks, photos, orient_all, progress):

@@ -64,9 +64,10 @@ class SkylineFit:
             evidence = skyline_evidence(photo.pixels, SkylineOptions(), metadata.width_px, metadata.height_px)
         except (PhotoError, MissingMetadataError):
             return False
-        stack = EvidenceStack(evidence.probability, leaves_frame=evidence.leaves_frame)
-        if stack.informative.mean() < LEAST_COLUMNS:
+        informative = EvidenceStack.informative_columns(evidence.probability)
+        if len(informative) < LEAST_COLUMNS * evidence.probability.shape[1]:
             return False
+        stack = EvidenceStack(evidence.probability, leaves_frame=evidence.leaves_frame)
         camera = MatchInputs(evidence, prior, None).reduced_prior.camera  # type: ignore[arg-type]
         self._views.append((stack, camera))
         return True

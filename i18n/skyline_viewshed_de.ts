@@ -1466,11 +1466,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2355,8 +2350,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>Orte, die weiter von der aufgezeichneten Position entfernt sind, werden nicht probiert. Die Zeit wächst mit dem Quadrat.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Bis zu diesem Abstand werden Ringe von Orten geprüft; je größer er ist, desto weiter liegen sie auseinander.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3707,6 +3702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>Das Foto hat keine aufgezeichnete Position, um die gesucht werden kann. Wählen Sie ein Gebiet oder einen Ausschnitt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>The raster of weights excludes every place of the area. Choose another.</source>
         <translation>Das Raster der Gewichte schließt jeden Ort des Gebiets aus. Wählen Sie ein anderes.</translation>
     </message>
@@ -4586,16 +4586,6 @@
     </message>
     <message>
         <location filename="../panel/controller.py"/>
-        <source>The layer has no photographs.</source>
-        <translation>Der Layer enthält keine Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
-        <source>The layer was removed. Choose another.</source>
-        <translation>Der Layer wurde entfernt. Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
         <location filename="../panel/figures.py"/>
         <location filename="../panel/model/photo_layer.py"/>
         <source>Choose a layer of oriented photo points.</source>
@@ -4685,6 +4675,16 @@
         <location filename="../panel/figures.py"/>
         <source>Folder of landmarks, skylines and masks</source>
         <translation>Ordner für Landmarken, Horizontlinien und Masken</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>Der Layer enthält keine Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>Der Layer wurde entfernt. Wählen Sie einen anderen.</translation>
     </message>
     <message>
         <location filename="../panel/model/aids.py"/>
@@ -4842,7 +4842,7 @@
         <translation>{photo} beurteilen</translation>
     </message>
     <message>
-        <location filename="../panel/model/lanes.py"/>
+        <location filename="../panel/model/faults.py"/>
         <source>An unexpected error occurred. Please report it and attach the log.</source>
         <translation>Ein unerwarteter Fehler ist aufgetreten. Bitte melden Sie ihn und fügen Sie das Protokoll bei.</translation>
     </message>
@@ -5763,6 +5763,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Das DGM hat hier keinen Horizont.</translation>
     </message>
@@ -5870,6 +5871,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Wertung nach Richtung, Norden oben</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>Die Wahrscheinlichkeit ist am größten beim Azimut {heading}: {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Wahrscheinlichkeit einer eindeutigen Antwort nach Richtung, Norden oben</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6263,6 +6274,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>Der Kompass, berichtigt um seinen Fehler von {error}° bei {count} Fotos derselben Stunde (etwa {photo}), ergab die ungefähre Blickrichtung.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>Das DGM hat im Gebiet keine Höhen. Wählen Sie ein anderes Gebiet oder ein DGM, das dort keine Lücken hat.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>

@@ -1466,11 +1466,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2355,8 +2350,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>No se prueban lugares más lejanos de la posición registrada. El tiempo crece con su cuadrado.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Se prueban anillos de lugares hasta esta distancia; cuanto mayor es, más separados están.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3707,6 +3702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La foto no tiene posición registrada alrededor de la cual buscar. Elija un área o una extensión.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>The raster of weights excludes every place of the area. Choose another.</source>
         <translation>El ráster de pesos excluye todos los lugares del área. Elija otro.</translation>
     </message>
@@ -4586,16 +4586,6 @@
     </message>
     <message>
         <location filename="../panel/controller.py"/>
-        <source>The layer has no photographs.</source>
-        <translation>La capa no contiene fotografías.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
-        <source>The layer was removed. Choose another.</source>
-        <translation>La capa se ha eliminado. Elija otra.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
         <location filename="../panel/figures.py"/>
         <location filename="../panel/model/photo_layer.py"/>
         <source>Choose a layer of oriented photo points.</source>
@@ -4685,6 +4675,16 @@
         <location filename="../panel/figures.py"/>
         <source>Folder of landmarks, skylines and masks</source>
         <translation>Carpeta de puntos de referencia, líneas del horizonte y máscaras</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>La capa no contiene fotografías.</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>La capa se ha eliminado. Elija otra.</translation>
     </message>
     <message>
         <location filename="../panel/model/aids.py"/>
@@ -4842,7 +4842,7 @@
         <translation>Revisar {photo}</translation>
     </message>
     <message>
-        <location filename="../panel/model/lanes.py"/>
+        <location filename="../panel/model/faults.py"/>
         <source>An unexpected error occurred. Please report it and attach the log.</source>
         <translation>Se ha producido un error inesperado. Comuníquelo y adjunte el registro.</translation>
     </message>
@@ -5763,6 +5763,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>El MDE no tiene horizonte aquí.</translation>
     </message>
@@ -5870,6 +5871,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Puntuación por dirección, norte arriba</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>La probabilidad es máxima en el acimut {heading}: {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Probabilidad de una respuesta única por dirección, norte arriba</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6263,6 +6274,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>La brújula, corregida por su error de {error}° en {count} fotos de la misma hora (como {photo}), dio el rumbo aproximado.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>El MDE no tiene alturas en el área. Elija otra área o un MDE sin huecos en ella.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>

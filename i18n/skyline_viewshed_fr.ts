@@ -1466,11 +1466,6 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
-        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
-        <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -2355,8 +2350,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
-        <source>Places farther from the recorded position are not tried. The time grows with its square.</source>
-        <translation>Les lieux plus éloignés de la position enregistrée ne sont pas essayés. Le temps croît avec le carré.</translation>
+        <source>Rings of places are tried out to this distance; the larger it is, the farther apart they lie.</source>
+        <translation>Des anneaux de lieux sont essayés jusqu'à cette distance ; plus elle est grande, plus ils sont espacés.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_check.py"/>
@@ -3707,6 +3702,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/search_area.py"/>
+        <source>The photo has no recorded position to search around. Choose an area or an extent.</source>
+        <translation>La photo n'a pas de position enregistrée autour de laquelle chercher. Choisissez une zone ou une emprise.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/search_area.py"/>
         <source>The raster of weights excludes every place of the area. Choose another.</source>
         <translation>Le raster des poids exclut tous les lieux de la zone. Choisissez-en un autre.</translation>
     </message>
@@ -4586,16 +4586,6 @@
     </message>
     <message>
         <location filename="../panel/controller.py"/>
-        <source>The layer has no photographs.</source>
-        <translation>La couche ne contient aucune photo.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
-        <source>The layer was removed. Choose another.</source>
-        <translation>La couche a été supprimée. Choisissez-en une autre.</translation>
-    </message>
-    <message>
-        <location filename="../panel/controller.py"/>
         <location filename="../panel/figures.py"/>
         <location filename="../panel/model/photo_layer.py"/>
         <source>Choose a layer of oriented photo points.</source>
@@ -4685,6 +4675,16 @@
         <location filename="../panel/figures.py"/>
         <source>Folder of landmarks, skylines and masks</source>
         <translation>Dossier des points de repère, lignes d'horizon et masques</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer has no photographs.</source>
+        <translation>La couche ne contient aucune photo.</translation>
+    </message>
+    <message>
+        <location filename="../panel/layers.py"/>
+        <source>The layer was removed. Choose another.</source>
+        <translation>La couche a été supprimée. Choisissez-en une autre.</translation>
     </message>
     <message>
         <location filename="../panel/model/aids.py"/>
@@ -4842,7 +4842,7 @@
         <translation>Juger {photo}</translation>
     </message>
     <message>
-        <location filename="../panel/model/lanes.py"/>
+        <location filename="../panel/model/faults.py"/>
         <source>An unexpected error occurred. Please report it and attach the log.</source>
         <translation>Une erreur inattendue s'est produite. Signalez-la en joignant le journal.</translation>
     </message>
@@ -5763,6 +5763,7 @@
     </message>
     <message>
         <location filename="../core/figures/profile.py"/>
+        <location filename="../core/figures/score.py"/>
         <source>The DEM has no horizon here.</source>
         <translation>Le MNT n'a pas d'horizon ici.</translation>
     </message>
@@ -5870,6 +5871,16 @@
         <location filename="../core/figures/score.py"/>
         <source>Score by direction, north up</source>
         <translation>Score par direction, nord en haut</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>The probability is highest at azimuth {heading}: {share} %.</source>
+        <translation>La probabilité est la plus grande à l'azimut {heading} : {share} %.</translation>
+    </message>
+    <message>
+        <location filename="../core/figures/score.py"/>
+        <source>Probability of a unique answer by direction, north up</source>
+        <translation>Probabilité d'une réponse unique par direction, nord en haut</translation>
     </message>
     <message>
         <location filename="../core/figures/score.py"/>
@@ -6263,6 +6274,11 @@
         <location filename="../core/joint/hints.py"/>
         <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
         <translation>La boussole, corrigée de son erreur de {error}° sur {count} photos de la même heure (comme {photo}), a donné le cap approximatif.</translation>
+    </message>
+    <message>
+        <location filename="../core/locate/build.py"/>
+        <source>The DEM has no heights in the area. Choose another area, or a DEM without voids there.</source>
+        <translation>Le MNT n'a pas d'altitudes dans la zone. Choisissez une autre zone, ou un MNT sans lacunes à cet endroit.</translation>
     </message>
     <message>
         <location filename="../core/locate/judge.py"/>

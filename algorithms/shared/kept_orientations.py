@@ -37,7 +37,8 @@ class KeptOrientations:
     """
 
     def __init__(self, folder, feedback):
-        self.folder, self.feedback, self._taken, self._files = folder, feedback, set(), deque()
+        self.folder, self.feedback, self._taken = folder, feedback, set()
+        self._files: deque = deque()
 
     def is_missing(self, request, dem, options):
         """Tell whether a request must be oriented: no file of an earlier run holds its result."""

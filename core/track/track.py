@@ -10,6 +10,7 @@ from ..base.curvature import METRES_PER_DEGREE
 from ..base.errors import SkylineViewshedError
 from ..base.messages import Message
 
+
 class TrackError(SkylineViewshedError):
     """The track cannot be used."""
 
