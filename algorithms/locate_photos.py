@@ -256,7 +256,7 @@ class Search:
         except (AreaError, QgsProcessingException) as error:
             if self.area.is_common:
                 raise
-            message = error.message if isinstance(error, AreaError) else Message(str(error))
+            message = error.message if isinstance(error, AreaError) else Message("{reason}", reason=str(error))
             return Located(row.path, "failed", message), None
         try:
             located = self._located(row, index, log_weight, subtask(progress, 0.5, 1.0))
