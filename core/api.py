@@ -18,6 +18,7 @@ import numpy as np
 from .base.camera import Camera, Pose, focal_of_fov_px
 from .base.errors import Cancelled, PhotoError, SkylineViewshedError, TerrainError
 from .base.imaging import shrink_to
+from .base.landmark_hint import LandmarkHint
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.optional import require
 from .base.posed import PosedPhoto
@@ -25,7 +26,7 @@ from .base.progress import Progress, ProgressLike, as_progress, subtask
 from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
-from .batch import PREVIEW_PX, HorizonCache, LandmarkHint, PhotoRequest, orient_request
+from .batch import PREVIEW_PX, HorizonCache, PhotoRequest, orient_request
 from .cluster import cluster_outcomes
 from .figures.notebook import photo_html
 from .figures.overlay import overlay_image

@@ -13,7 +13,6 @@ import numpy as np
 from .base import imaging
 from .base.blas import one_blas_thread
 from .base.camera import FOCAL_SIGMA, folds
-from .base.curvature import apparent_drop_m
 from .base.declination import declination_deg
 from .base.doubt import doubted, position_doubt
 from .base.errors import MissingMetadataError, MissingPackageError, PhotoError
@@ -22,7 +21,7 @@ from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.place import position_error_of, position_of
 from .base.progress import SILENT, subtask
-from .base.terrain import Observer, eye_elevation_m, ground_elevation_m
+from .base.terrain import Observer, ground_elevation_m
 from .io.photo import read_metadata, read_photo
 from .match.landmarks import Landmark
 from .match.prior import HeadingPrior, camera_prior, compass_prior, true_heading_deg
@@ -31,30 +30,6 @@ from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
 """Long side of the pictures that the robust method and the figures use [pixels]; the evidence itself uses 512."""
-
-
-@dataclass(frozen=True)
-class LandmarkHint:
-    """A pixel of the full upright picture and the map point that it shows.
-
-    Attributes
-    ----------
-    x_px, y_px : float
-        Position; the centre of the first pixel is at 0 [pixels].
-    longitude_deg, latitude_deg : float
-        WGS 84 [degrees].
-    elevation_m : float or None
-        Absolute elevation [m]; None means the elevation of the DEM.
-    sigma_px : float
-        Precision of the click [pixels].
-    """
-
-    x_px: float
-    y_px: float
-    longitude_deg: float
-    latitude_deg: float
-    elevation_m: float | None = None
-    sigma_px: float = 5.0
 
 
 @dataclass(frozen=True)
@@ -260,8 +235,13 @@ def _hints(request, metadata, dem, observer, compass_deg):
         evidence = evidence_from_line(x_px, y_px, *size)
     elif request.sky_mask_path is not None:
         evidence = evidence_from_mask(read_photo(request.sky_mask_path, PREVIEW_PX).pixels, *size)
-    landmarks = tuple(_direction(hint, dem, observer) for hint in request.landmarks)
+    landmarks = tuple(_landmark(hint, hint.direction_deg(dem, observer, metadata)) for hint in request.landmarks)
     return Hints(heading, landmarks, evidence)
+
+
+def _landmark(hint, direction_deg):
+    azimuth, elevation = direction_deg
+    return Landmark(hint.x_px, hint.y_px, azimuth, elevation, hint.sigma_px)
 
 
 def _check_drawn(across, down, size):
@@ -275,19 +255,6 @@ def _check_drawn(across, down, size):
                 height=size[1],
             )
         )
-
-
-def _direction(hint, dem, observer):
-    """Direction of a landmark's map point from the eye."""
-    east, north = dem.local_of(observer, hint.longitude_deg, hint.latitude_deg)
-    elevation = hint.elevation_m
-    if elevation is None:
-        elevation = ground_elevation_m(dem, dem.frame(hint.longitude_deg, hint.latitude_deg, 1_000.0))
-    frame = dem.frame(observer.longitude_deg, observer.latitude_deg, 1_000.0)
-    distance = float(np.hypot(east, north))
-    rise = elevation - apparent_drop_m(distance) - eye_elevation_m(dem, frame, observer)
-    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
-    return Landmark(hint.x_px, hint.y_px, azimuth, float(np.degrees(np.arctan2(rise, distance))), hint.sigma_px)
 
 
 def _eye_elevation_m(request, metadata):

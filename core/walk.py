@@ -141,4 +141,5 @@ def clock_from_skylines(
         checkpoint(progress, 0.2 * count / len(spread))
         if fit.add(paths[index]):
             times.append(float(times_s[index]))
+    checkpoint(progress, 0.2)
     return solve_clock(times, track, fit, options, track_options, subtask(progress, 0.2, 1.0))

@@ -1466,6 +1466,11 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -3562,8 +3567,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
-        <translation>Punkte auf der Karte, die auf Fotos zu sehen sind, mit den Feldern photo, x und y (Pixel des aufrecht stehenden Bildes; das erste Pixel ist 0) und optional elevation (m). Eine Landmarke genügt, um die Blickrichtung zu bestimmen.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading. If a field body says sun or moon, the pixel shows that, and no map point is needed: its direction follows from the time of the photograph.</source>
+        <translation>Punkte der Karte, die auf Fotos zu sehen sind, mit den Feldern photo, x und y (Pixel des aufrechten Bildes; das erste Pixel ist 0) und wahlweise elevation (m). Eine Landmarke genügt, um die Blickrichtung zu bestimmen. Steht in einem Feld body sun oder moon, so zeigt das Pixel Sonne oder Mond, und ein Kartenpunkt ist nicht nötig: Die Richtung folgt aus der Aufnahmezeit.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -3589,6 +3594,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
         <translation>{parameter}: Mehrere Fotos haben den Namen {names}. Geben Sie auch die Ordner an, zum Beispiel day1/IMG_0001.jpg; legen Sie Himmelsmasken in Ordner mit denselben Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>LANDMARKS: the field body says {value}; it may say sun or moon, or be empty.</source>
+        <translation>LANDMARKS: Im Feld body steht {value}; es darf sun oder moon enthalten oder leer sein.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -5623,6 +5633,16 @@
         <location filename="../core/base/heights.py"/>
         <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
         <translation>Das DGM weicht um {metres} m (Median von {count} Fotos) von den aufgezeichneten Höhen ab. Prüfen Sie, ob das DGM Höhen enthält, deren Einheit (DEM_UNIT) und Höhendatum sowie die Positionen der Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
+        <translation>Eine Landmarke ist die Sonne oder der Mond, aber das Foto enthält keine Aufnahmezeit mit Zeitzone. Entfernen Sie diese Landmarke oder schreiben Sie die Tags DateTimeOriginal und OffsetTimeOriginal.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, which was below the horizon at {time}. Check the landmark and the clock of the camera.</source>
+        <translation>Eine Landmarke ist die Sonne oder der Mond, stand aber um {time} unter dem Horizont. Prüfen Sie die Landmarke und die Uhr der Kamera.</translation>
     </message>
     <message>
         <location filename="../core/base/optional.py"/>

@@ -1466,6 +1466,11 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -3562,8 +3567,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
-        <translation>Puntos del mapa visibles en las fotografías, con los campos photo, x e y (píxeles de la imagen enderezada; el primer píxel es 0) y opcionalmente elevation (m). Un punto de referencia basta para determinar el rumbo.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading. If a field body says sun or moon, the pixel shows that, and no map point is needed: its direction follows from the time of the photograph.</source>
+        <translation>Puntos del mapa visibles en las fotos, con los campos photo, x e y (píxeles de la imagen derecha; el primer píxel es 0) y, si se quiere, elevation (m). Un punto de referencia basta para determinar el rumbo. Si un campo body dice sun o moon, el píxel muestra el Sol o la Luna y no hace falta un punto del mapa: su dirección se deduce de la hora de la foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -3589,6 +3594,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
         <translation>{parameter}: varias fotos tienen el nombre {names}. Escriba también las carpetas, por ejemplo day1/IMG_0001.jpg; ponga las máscaras de cielo en carpetas con los mismos nombres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>LANDMARKS: the field body says {value}; it may say sun or moon, or be empty.</source>
+        <translation>LANDMARKS: el campo body dice {value}; puede decir sun o moon, o estar vacío.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -5623,6 +5633,16 @@
         <location filename="../core/base/heights.py"/>
         <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
         <translation>El MDE difiere en {metres} m (mediana de {count} fotos) de las altitudes registradas. Compruebe que el MDE contenga alturas, su unidad (DEM_UNIT) y su dátum vertical, y las posiciones de las fotos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
+        <translation>Un punto de referencia es el Sol o la Luna, pero la foto no registra su hora con una zona horaria. Elimine este punto de referencia o escriba las etiquetas DateTimeOriginal y OffsetTimeOriginal.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, which was below the horizon at {time}. Check the landmark and the clock of the camera.</source>
+        <translation>Un punto de referencia es el Sol o la Luna, que estaba bajo el horizonte a las {time}. Compruebe el punto de referencia y el reloj de la cámara.</translation>
     </message>
     <message>
         <location filename="../core/base/optional.py"/>

@@ -1466,6 +1466,11 @@
     </message>
     <message>
         <location filename="../algorithms/locate_photos.py"/>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/locate_photos.py"/>
         <location filename="../algorithms/position_check.py"/>
         <location filename="../core/many.py"/>
         <source>An unexpected error occurred on this photo. Please report it and attach the log.</source>
@@ -3562,8 +3567,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
-        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading.</source>
-        <translation>Points de la carte visibles dans les photos, avec les champs photo, x et y (pixels de l'image redressée ; le premier pixel vaut 0) et éventuellement elevation (m). Un seul repère suffit pour déterminer l'azimut.</translation>
+        <source>Points on the map that are visible in photographs, with the fields photo, x and y (pixels of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is enough to determine the heading. If a field body says sun or moon, the pixel shows that, and no map point is needed: its direction follows from the time of the photograph.</source>
+        <translation>Points de la carte visibles sur les photos, avec les champs photo, x et y (pixels de l'image redressée ; le premier pixel est 0) et, en option, elevation (m). Un repère suffit à déterminer le cap. Si un champ body indique sun ou moon, le pixel montre le Soleil ou la Lune et aucun point de la carte n'est nécessaire : la direction découle de l'heure de la photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -3589,6 +3594,11 @@
         <location filename="../algorithms/shared/rescue.py"/>
         <source>{parameter}: several photos have the name {names}. Write the folders too, for example day1/IMG_0001.jpg; put sky masks into folders of the same names.</source>
         <translation>{parameter} : plusieurs photos portent le nom {names}. Indiquez aussi les dossiers, par exemple day1/IMG_0001.jpg ; placez les masques de ciel dans des dossiers de mêmes noms.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/rescue.py"/>
+        <source>LANDMARKS: the field body says {value}; it may say sun or moon, or be empty.</source>
+        <translation>LANDMARKS : le champ body indique {value} ; il peut indiquer sun ou moon, ou être vide.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/rescue.py"/>
@@ -5623,6 +5633,16 @@
         <location filename="../core/base/heights.py"/>
         <source>The DEM differs by {metres} m (median of {count} photos) from the recorded altitudes. Check that the DEM holds heights, their unit (DEM_UNIT) and vertical datum, and the positions of the photos.</source>
         <translation>Le MNT diffère de {metres} m (médiane de {count} photos) des altitudes enregistrées. Vérifiez que le MNT contient des altitudes, leur unité (DEM_UNIT) et leur référence verticale, ainsi que les positions des photos.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
+        <translation>Un repère est le Soleil ou la Lune, mais la photo n'enregistre pas son heure avec un fuseau horaire. Supprimez ce repère ou écrivez les balises DateTimeOriginal et OffsetTimeOriginal.</translation>
+    </message>
+    <message>
+        <location filename="../core/base/landmark_hint.py"/>
+        <source>A landmark is the sun or the moon, which was below the horizon at {time}. Check the landmark and the clock of the camera.</source>
+        <translation>Un repère est le Soleil ou la Lune, qui se trouvait sous l'horizon à {time}. Vérifiez le repère et l'horloge de l'appareil.</translation>
     </message>
     <message>
         <location filename="../core/base/optional.py"/>

@@ -7,7 +7,7 @@ from functools import partial
 from qgis.PyQt.QtWidgets import QFileDialog
 
 from ..algorithms.shared.i18n import tr
-from ..core.batch import LandmarkHint
+from ..core.base.landmark_hint import LandmarkHint
 from .model import drawing
 from .model import ground as grounds
 from .model.aids import FOLDER_PROPERTY, aids_folder

@@ -22,11 +22,12 @@ sys.path.insert(0, str(ROOT / "build" / "plugins"))
 from skyline_viewshed.core.base.camera import Camera, focal_from_35mm_px  # noqa: E402
 from skyline_viewshed.core.base.errors import MissingPackageError  # noqa: E402
 from skyline_viewshed.core.base.model import PhotoMetadata  # noqa: E402
+from skyline_viewshed.core.base.sun_moon import sun_direction_deg  # noqa: E402
 from skyline_viewshed.core.io.raster import open_dem  # noqa: E402
 from skyline_viewshed.core.io.write_photo import write_photo  # noqa: E402
 from skyline_viewshed.core.simulate.detail import DetailedTerrain  # noqa: E402
 from skyline_viewshed.core.simulate.render import render_view  # noqa: E402
-from skyline_viewshed.core.simulate.scene import SceneOptions, sun_direction_deg  # noqa: E402
+from skyline_viewshed.core.simulate.scene import SceneOptions  # noqa: E402
 from skyline_viewshed.demo.dem_file import write_dem  # noqa: E402
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains  # noqa: E402
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view  # noqa: E402

@@ -15,6 +15,7 @@ from qgis.core import (
 from ...core.base.errors import PhotoError
 from ...core.base.photo_names import owners
 from ...core.base.pixel_features import PixelFeature, counts_upwards, downward
+from ...core.base.sun_moon import BODIES
 from ...core.base.upright import on_upright
 from . import parameters as shared
 from .fields import is_null, metres_of, number_or_none
@@ -52,7 +53,8 @@ def add_rescue_parameters(algorithm):
             tr(
                 "Points on the map that are visible in photographs, with the fields photo, x and y (pixels "
                 "of the upright picture; the first pixel is 0) and optionally elevation (m). One landmark is "
-                "enough to determine the heading."
+                "enough to determine the heading. If a field body says sun or moon, the pixel shows that, and no "
+                "map point is needed: its direction follows from the time of the photograph."
             ),
             [QgsProcessing.SourceType.TypeVectorPoint],
         )
@@ -156,7 +158,7 @@ def _upright_pixel(path, mark):
 
 
 def _landmarks(source, context):
-    from ...core.batch import LandmarkHint
+    from ...core.base.landmark_hint import LandmarkHint
 
     found: dict = {}
     if source is None:
@@ -167,11 +169,22 @@ def _landmarks(source, context):
         photo, x, y = (feature[column] for column in columns)
         longitude, latitude = position_of(feature, to_wgs84)
         x, y = number_or_none(x), number_or_none(y)
-        if is_null(photo) or None in (x, y, longitude):
+        body = _optional(source, feature, ("body",), _body_of)
+        if is_null(photo) or None in (x, y) or (longitude is None and body is None):
             continue
         height = _optional(source, feature, ("elevation", "elev", "z", "height"), metres_of)
-        found.setdefault(str(photo), []).append(LandmarkHint(x, y, longitude, latitude, height))
+        found.setdefault(str(photo), []).append(LandmarkHint(x, y, longitude, latitude, height, body=body))
     return found
+
+
+def _body_of(value):
+    """The sun or the moon, or None for a map point."""
+    text = "" if is_null(value) else str(value).strip().lower()
+    if text in ("", *BODIES):
+        return text or None
+    raise QgsProcessingException(
+        tr("LANDMARKS: the field body says {value}; it may say sun or moon, or be empty.").format(value=text)
+    )
 
 
 def _skylines(source):

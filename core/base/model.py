@@ -40,7 +40,7 @@ class PhotoMetadata:
         'T' for true north, 'M' for magnetic north, None if unknown.
     position_error_m : float or None
     taken_at, utc_offset_s : datetime or None, float or None
-        Local time of the camera, and how much it is ahead of UTC [s].
+        Local time of the camera, and how much it is ahead of UTC [s], as recorded or from the time of the GPS.
     camera : str or None
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).

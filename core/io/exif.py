@@ -40,16 +40,18 @@ TAGS = {
     ("GPS", 0x0004): "GPSLongitude",
     ("GPS", 0x0005): "GPSAltitudeRef",
     ("GPS", 0x0006): "GPSAltitude",
+    ("GPS", 0x0007): "GPSTimeStamp",
     ("GPS", 0x0009): "GPSStatus",
     ("GPS", 0x000B): "GPSDOP",
     ("GPS", 0x0010): "GPSImgDirectionRef",
     ("GPS", 0x0011): "GPSImgDirection",
+    ("GPS", 0x001D): "GPSDateStamp",
     ("GPS", 0x001F): "GPSHPositioningError",
 }
 """Names in Exif 2.32 by (directory, number)."""
 
 TEXT_TAGS = {"Make", "Model", "Software", "ProjectionType", "DateTime", "DateTimeOriginal",
-             "OffsetTimeOriginal", "GPSStatus"}  # fmt: skip
+             "OffsetTimeOriginal", "GPSStatus", "GPSDateStamp"}  # fmt: skip
 TEXT_TAGS |= {name for name in TAGS.values() if name.endswith("Ref")} - {"GPSAltitudeRef"}
 PANORAMA_TAGS = ("ProjectionType", "FullPanoWidthPixels", "CroppedAreaImageWidthPixels")
 """Names in the XMP namespace GPano, which describes stitched panoramas."""

@@ -31,6 +31,13 @@ STITCHED = ("equirectangular", "cylindrical", "spherical")
 PANORAMA_RENDERED = 6
 """Value of CustomRendered that phones write for a panorama made by turning the camera."""
 
+HALF_HOUR_S = 1800
+QUARTER_HOUR_ZONES_S = (20_700, 31_500, 45_900)
+"""Time zones that are no multiple of half an hour: Nepal, Eucla, Chatham Islands."""
+
+LATEST_FIX_S = 120
+"""Largest age of the fix whose time a camera records."""
+
 STITCHERS = ("ptgui", "hugin", "autopano", "image composite editor", "panorama studio", "panoramastudio", "photostitch")
 
 STITCHED_WIDER = 1.3
@@ -211,9 +218,24 @@ def _time(tags):
 def _utc_offset_s(tags):
     match = re.fullmatch(r"([+-])(\d\d):?(\d\d)", tags.get("OffsetTimeOriginal", "").strip())
     if match is None or int(match[2]) > 14 or int(match[3]) > 59:
-        return None
+        return _ahead_of_gps_s(tags)
     seconds = 3600.0 * int(match[2]) + 60.0 * int(match[3])
     return -seconds if match[1] == "-" else seconds
+
+
+def _ahead_of_gps_s(tags):
+    """How much the camera's clock is ahead of the GPS, which gives UTC, if the difference is that of a time zone."""
+    taken, clock = _time(tags), tags.get("GPSTimeStamp", ())
+    try:
+        midnight = datetime.strptime(tags.get("GPSDateStamp", "").strip(), "%Y:%m:%d")
+    except ValueError:
+        return None
+    if taken is None or len(clock) != 3 or not all(map(isfinite, clock)):
+        return None
+    seconds = (taken - midnight).total_seconds() - (3600 * clock[0] + 60 * clock[1] + clock[2])
+    zones = (HALF_HOUR_S * round(seconds / HALF_HOUR_S), *QUARTER_HOUR_ZONES_S)
+    zone = min(zones, key=lambda zone: abs(seconds - zone))
+    return float(zone) if abs(seconds - zone) <= LATEST_FIX_S and abs(zone) <= 14 * 3600 else None
 
 
 def _camera(tags):

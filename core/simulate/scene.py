@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from datetime import datetime, timezone
-
-import numpy as np
 
 CLOUDS = ("none", "behind", "lid", "fog", "valley")
 FOREGROUNDS = ("none", "trees", "people")
@@ -20,7 +17,8 @@ class SceneOptions:
     seed : int
         Seed of everything random; the same seed gives the same picture.
     sun_azimuth_deg, sun_elevation_deg : float
-        Azimuth clockwise from true north and elevation above the horizontal [degrees]; see `sun_direction_deg`.
+        Azimuth clockwise from true north and elevation above the horizontal [degrees]; see
+        `base.sun_moon.sun_direction_deg`.
     range_m : float
         Distance up to which terrain is drawn [m].
     visibility_m : float
@@ -83,37 +81,3 @@ class SceneOptions:
             raise ValueError(f"ranges must be positive, noise and blur not negative, in {self}")
         if not (0 <= self.cloud_share <= 1 and 0 <= self.foreground_share <= 1 and 0 <= self.vignetting < 1):
             raise ValueError(f"shares must lie between 0 and 1, in {self}")
-
-
-def sun_direction_deg(longitude_deg, latitude_deg, when):
-    """Compute the position of the sun.
-
-    Parameters
-    ----------
-    longitude_deg, latitude_deg : float
-        WGS 84 [degrees].
-    when : datetime
-        Time with a time zone; without one it is taken as UTC.
-
-    Returns
-    -------
-    azimuth_deg, elevation_deg : float
-        Clockwise from true north; above the horizon, without refraction [degrees]. Good to about 0.02 degrees.
-
-    References
-    ----------
-    .. [1] The Astronomical Almanac, low precision formulas for the sun (section C); 1950 to 2050.
-    """
-    when = when.replace(tzinfo=timezone.utc) if when.tzinfo is None else when.astimezone(timezone.utc)
-    days = (when - datetime(2000, 1, 1, 12, tzinfo=timezone.utc)).total_seconds() / 86400.0
-    anomaly = np.radians(357.528 + 0.9856003 * days)
-    longitude = np.radians(280.460 + 0.9856474 * days + 1.915 * np.sin(anomaly) + 0.020 * np.sin(2 * anomaly))
-    obliquity = np.radians(23.439 - 4e-7 * days)
-    right_ascension = np.arctan2(np.cos(obliquity) * np.sin(longitude), np.cos(longitude))
-    declination = np.arcsin(np.sin(obliquity) * np.sin(longitude))
-    sidereal = np.radians(280.46062 + 360.98564737 * days + longitude_deg)
-    hour, latitude = sidereal - right_ascension, np.radians(latitude_deg)
-    east = -np.cos(declination) * np.sin(hour)
-    north = np.cos(latitude) * np.sin(declination) - np.sin(latitude) * np.cos(declination) * np.cos(hour)
-    up = np.sin(latitude) * np.sin(declination) + np.cos(latitude) * np.cos(declination) * np.cos(hour)
-    return float(np.degrees(np.arctan2(east, north)) % 360), float(np.degrees(np.arcsin(np.clip(up, -1, 1))))

@@ -71,7 +71,7 @@ def read_aids(folder, path):
     """
     if folder is None or not path:
         return (), (), False, ()
-    from ...core.batch import LandmarkHint
+    from ...core.base.landmark_hint import LandmarkHint
     from ...core.skyline.repair import BrushStroke
 
     marks = tuple(

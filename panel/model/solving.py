@@ -70,7 +70,8 @@ def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
 
 
 def _request(item, draft, ground, evidence, free, folder):
-    from ...core.batch import LandmarkHint, PhotoRequest
+    from ...core.base.landmark_hint import LandmarkHint
+    from ...core.batch import PhotoRequest
 
     eye, aids = ground.observer, {}
     landmarks = list(draft.landmarks)

@@ -285,6 +285,21 @@ def test_hints_for_repeated_names_need_their_folders(run, scene, tmp_path):
         run("orientphotos", {"INPUT": points, "DEM": str(scene.dem), "LANDMARKS": table, "OUTPUT": "memory:"})
 
 
+def test_the_sun_and_the_moon_are_landmarks_without_a_map_point(run, scene, tmp_path):
+    """The scene's photo has no time, which is told; another word in the field is refused before the first photo."""
+    x, y = scene.positions["north"]
+    points = layer_of("Point", [("photo", TEXT)], [(f"Point({x} {y})", [str(scene.folder / "north.jpg")])])
+    fields = [("photo", TEXT), ("x", REAL), ("y", REAL), ("body", TEXT)]
+    plain = {"INPUT": points, "DEM": str(scene.dem), "OUTPUT": "memory:"}
+    moon = layer_of("Point", fields, [(None, ["north.jpg", 400, 20, "Moon"])])
+    results, _ = run("orientphotos", {**plain, "LANDMARKS": moon})
+    (row,) = results["OUTPUT"].getFeatures()
+    assert row["status"] == "failed" and "does not record its time with a time zone" in row["message"]
+    comet = layer_of("Point", fields, [(None, ["north.jpg", 400, 20, "comet"])])
+    with pytest.raises(QgsProcessingException, match="the field body says comet; it may say sun or moon"):
+        run("orientphotos", {**plain, "LANDMARKS": comet})
+
+
 # Copies: rotated, reduced
 
 

@@ -1,6 +1,6 @@
 import csv
 from dataclasses import replace
-from datetime import datetime
+from datetime import datetime, timedelta
 
 import numpy as np
 import pytest
@@ -9,7 +9,9 @@ from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.declination import declination_deg
 from skyline_viewshed.core.base.errors import TerrainError, UnusableDemError
-from skyline_viewshed.core.batch import HorizonCache, LandmarkHint, PhotoRequest, doubt_of_heights, orient_request
+from skyline_viewshed.core.base.landmark_hint import LandmarkHint
+from skyline_viewshed.core.base.sun_moon import direction_deg
+from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, doubt_of_heights, orient_request
 from skyline_viewshed.core.io.dem_reading import DemReading
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
@@ -229,6 +231,52 @@ def test_the_paper_s_method_goes_through_the_same_entry(scene, dem):
     assert found.orientation.p_correct is None
     assert found.horizon.reach_m.max() <= 15_000
     assert len(found.orientation.curve_score) == 720
+
+
+@pytest.fixture(scope="module")
+def moonlit(scene, dem, tmp_path_factory):
+    """The scene's photo to the west with a time at night at which the moon is in its frame, and the moon's pixel."""
+    photo = read_photo(str(scene.folder / "west.jpg"))
+    oriented, pose = orient_request(PhotoRequest(str(scene.folder / "west.jpg")), dem), scene.truth["west"]
+    place = oriented.longitude_deg, oriented.latitude_deg
+    for hour in range(24 * 60):
+        when = datetime(2024, 1, 1) + timedelta(hours=hour)
+        x, y = project(oriented.orientation.best.camera, pose, *direction_deg("moon", *place, when))
+        if 0 <= x < 800 and 0 <= y < 300 and direction_deg("sun", *place, when)[1] < -5:
+            break
+    else:
+        raise AssertionError("the moon is never in the picture")
+    path = str(tmp_path_factory.mktemp("moon") / "west.jpg")
+    metadata = replace(photo.metadata, taken_at=when - timedelta(hours=7), utc_offset_s=-7 * 3600.0)
+    write_photo(path, photo.pixels, metadata)
+    return path, float(x), float(y)
+
+
+def test_the_moon_is_a_landmark_without_a_map_point(scene, dem, moonlit):
+    path, x, y = moonlit
+    found = orient_request(PhotoRequest(path, landmarks=(LandmarkHint(x, y, body="moon"),)), dem)
+    assert turn(found, scene.truth["west"]) < 0.5 and found.status == "accepted"
+    miss = next(note for note in found.orientation.notes if note.startswith("Landmark 1 lies"))
+    assert float(miss.facts["count"]) < 5
+
+
+def test_a_body_that_cannot_be_in_the_picture_costs_the_photo_with_a_reason(scene, dem, moonlit):
+    path, x, y = moonlit
+    clockless = PhotoRequest(str(scene.folder / "west.jpg"), landmarks=(LandmarkHint(x, y, body="moon"),))
+    found = orient_request(clockless, dem)
+    assert found.status == "failed" and "does not record its time with a time zone" in found.message
+    found = orient_request(PhotoRequest(path, landmarks=(LandmarkHint(x, y, body="sun"),)), dem)
+    assert found.status == "failed" and "below the horizon at 2024-" in found.message
+
+
+@pytest.mark.data
+def test_the_moon_decides_a_photo_that_its_skyline_leaves_open(shared_data):
+    folder = shared_data / "mont-blanc"
+    dem = open_dem(str(next((folder / "dem").glob("*.tif"))))
+    moon = LandmarkHint(922.3, 368.9, body="moon")
+    photo = str(folder / "photos" / "hr_malatra_moonset.jpg")
+    found = orient_request(PhotoRequest(photo, landmarks=(moon,)), dem)
+    assert found.status == "accepted" and abs(found.heading_deg - 208.1) < 1.5  # the truth is known to a degree
 
 
 @pytest.mark.data

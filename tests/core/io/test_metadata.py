@@ -31,6 +31,26 @@ def test_without_tags_everything_is_unknown():
     assert set(found.values()) == {None}
 
 
+@pytest.mark.parametrize(
+    "clock, date, expected",
+    [
+        ((7, 44, 46.26), "2019:11:21", 20_700),  # Nepal, +05:45
+        ((13, 29, 40), "2019:11:21", 0),
+        ((21, 29, 46), "2019:11:21", -28_800),
+        ((1, 29, 45), "2019:11:21", 43_200),
+        ((20, 29, 46), "2019:11:20", None),  # 17 hours are no time zone
+        ((7, 20, 0), "2019:11:21", None),  # an old fix
+        ((7, NAN, 46), "2019:11:21", None),
+        ((7, 44, 46), "", None),
+        ((7, 44), "2019:11:21", None),
+    ],
+)
+def test_the_zone_of_the_clock_follows_from_the_time_of_the_gps(clock, date, expected):
+    tags = {"DateTimeOriginal": "2019:11:21 13:29:46", "GPSTimeStamp": clock, "GPSDateStamp": date}
+    assert fields(**tags)["utc_offset_s"] == expected
+    assert fields(**tags, OffsetTimeOriginal="+02:00")["utc_offset_s"] == 7200
+
+
 @pytest.mark.parametrize("south, north_sign", [("N", 1), ("S", -1), ("s", -1)])
 @pytest.mark.parametrize("west, east_sign", [("E", 1), ("W", -1), ("w", -1)])
 def test_hemispheres(south, north_sign, west, east_sign):

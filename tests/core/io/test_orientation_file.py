@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from skyline_viewshed.core.base.camera import Camera, Pose
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
+from skyline_viewshed.core.base.landmark_hint import LandmarkHint
 from skyline_viewshed.core.base.messages import Message
 from skyline_viewshed.core.base.model import (
     Candidate,
@@ -23,7 +24,7 @@ from skyline_viewshed.core.base.model import (
     Skyline,
     SkylineEvidence,
 )
-from skyline_viewshed.core.batch import LandmarkHint, PhotoRequest
+from skyline_viewshed.core.batch import PhotoRequest
 from skyline_viewshed.core.io import orientation_file
 from skyline_viewshed.core.io.file_state import dataset_state
 from skyline_viewshed.core.io.orientation_file import orientation_mark, packed, unpacked
