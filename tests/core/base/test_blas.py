@@ -45,15 +45,17 @@ def test_the_last_of_several_threads_restores_the_number(library):
     assert library["threads"] == 8
 
 
-def test_the_librarys_own_number_is_read_and_set(monkeypatch):
-    monkeypatch.setattr(blas, "_blocks", [0])  # a thread that an earlier test has left behind may be in a block
-    monkeypatch.setattr(blas, "_before", [])
-    if not blas._controls():
-        pytest.skip("NumPy's BLAS on this computer is none of those that can be controlled")
+def test_the_librarys_own_number_is_read_and_set():
+    """Old libraries that were started with a single thread (OPENBLAS_NUM_THREADS) keep it."""
+    changed = 0
     for get, set_ in blas._controls():
         before = get()
         set_(2)
-        with blas.one_blas_thread():
-            assert get() == 1
-        assert get() == 2
+        if get() == 2:
+            with blas.one_blas_thread():
+                assert get() == 1
+            assert get() == 2
+            changed += 1
         set_(before)
+    if not changed:
+        pytest.skip("no BLAS library of this process can be controlled, or has more than one thread")
