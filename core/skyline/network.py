@@ -26,7 +26,7 @@ STRIDE = 32
 ODDS_LIMIT = 4.0
 """Log-odds are clipped here: the network is wrong more often than it believes."""
 
-SOFTNESS = 6.0
+SOFTNESS = 16.0
 """Neighbouring pixels share their mistakes, so their summed log-odds are divided by this."""
 
 TRUSTED = 0.95

@@ -83,8 +83,9 @@ def rows_off(evidence, truth):
 
 
 def test_a_pale_range_behind_a_dark_plain_is_kept_as_the_rival():
+    """Without the network, which sees the range at once."""
     pixels, truth = plain_before_a_range()
-    evidence = skyline_evidence(pixels)
+    evidence = skyline_evidence(pixels, SkylineOptions(use_network=False))
     assert np.median(np.abs(evidence.best.row_px - 230)) < 2, "the plain stands out; if not, this scene is no test"
     assert np.median(np.abs(evidence.rival.best.row_px - truth)) < 2
     assert evidence.rival.rival is None
