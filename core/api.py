@@ -34,7 +34,7 @@ from .horizon import horizon as horizons
 from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
-from .io.whole_file import ReportFile
+from .io.report_file import ReportFile
 from .many import JOINT_PART, OrientJob, answers_of, look_again, outcomes_of
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions

@@ -29,7 +29,7 @@ class HorizonReport:
 
     def __enter__(self):
         if self.path:
-            from ...core.io.whole_file import ReportFile
+            from ...core.io.report_file import ReportFile
 
             make_folder_of(self.path)
             writer = _writer(self.WRITER)(

@@ -33,7 +33,7 @@ class PhotoReport:
 
     def __enter__(self):
         if self.path:
-            from ...core.io.whole_file import ReportFile
+            from ...core.io.report_file import ReportFile
             from ...core.report.report import ReportWriter
 
             make_folder_of(self.path)

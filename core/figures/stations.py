@@ -61,7 +61,7 @@ def stations_svg(stations, width=1280, height=420, say=str):
     stations = [s for s in stations if is_known(s.longitude_deg) and is_known(s.latitude_deg)]
     if not stations:
         return ""
-    east_m, north_m = _local(stations)
+    east_m, north_m = east_north(stations)
     margin = 60
     span_x, span_y = max(np.ptp(east_m), SMALLEST_SPAN_M), max(np.ptp(north_m), SMALLEST_SPAN_M)
     px_per_m = min((width - 2 * margin) / span_x, (height - 2 * margin) / span_y)
@@ -75,7 +75,18 @@ def stations_svg(stations, width=1280, height=420, say=str):
     return figure(width, height, say("Camera positions and headings"), said, *parts)
 
 
-def _local(stations):
+def east_north(stations):
+    """Metres to the east and north of the first station, to scale at the middle latitude.
+
+    Parameters
+    ----------
+    stations : sequence of Station
+        All with positions.
+
+    Returns
+    -------
+    east_m, north_m : (N,) arrays
+    """
     longitude = np.array([s.longitude_deg for s in stations], float)
     latitude = np.array([s.latitude_deg for s in stations], float)
     middle = np.cos(np.radians((latitude.min() + latitude.max()) / 2))

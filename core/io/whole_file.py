@@ -11,7 +11,6 @@ import errno
 import os
 import secrets
 import shutil
-import tempfile
 import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -114,72 +113,3 @@ def _output_error(path, error):
     if not path.parent.is_dir():
         reason = Message("the folder {folder} does not exist", folder=path.parent)
     return OutputError.of_file(path, reason)
-
-
-class ReportFile:
-    """The `Document` of `core.report.report` on disk.
-
-    The body is written to an unnamed temporary file in the same folder, which the operating system removes however the
-    process ends. `finish` joins head, body and tail, and renames the result to `path` atomically.
-
-    Parameters
-    ----------
-    path : str
-        Final path of the HTML file; an older file stays unchanged until the new one is complete.
-
-    Raises
-    ------
-    OutputError
-        By every method, if the folder is missing or read-only, or the disk is full.
-    """
-
-    def __init__(self, path):
-        self.path = os.fspath(path)
-        self._folder = os.path.dirname(self.path) or "."
-        try:
-            self._body = tempfile.TemporaryFile(  # noqa: SIM115 - lives until finish or discard
-                "w+", dir=self._folder, prefix=".skyline-", encoding="utf-8", newline="\n"
-            )
-        except OSError as error:
-            raise self._output_error(error) from None
-
-    def write(self, text):
-        """Append text to the body."""
-        try:
-            self._body.write(text)
-        except OSError as error:
-            raise self._output_error(error) from None
-
-    def finish(self, head, tail):
-        """Put `head` before the body and `tail` after it, and give the file its final name."""
-        part = os.path.join(self._folder, f".skyline-{secrets.token_hex(6)}.part")
-        try:
-            with open(part, "w", encoding="utf-8", newline="\n") as whole:
-                whole.write(head)
-                self._body.seek(0)
-                shutil.copyfileobj(self._body, whole, 1 << 20)
-                whole.write(tail)
-            os.replace(part, self.path)
-        except OSError as error:
-            raise self._output_error(error) from None
-        finally:
-            with suppress(OSError):
-                os.remove(part)
-            self.discard()
-
-    def discard(self):
-        """Close and remove the temporary file."""
-        with suppress(OSError):  # closing flushes, which fails again on a full disk
-            self._body.close()
-
-    def _output_error(self, error):
-        reason = error.strerror or str(error)
-        if not os.path.isdir(self._folder):
-            reason = Message("the folder {folder} does not exist", folder=self._folder)
-        return OutputError(
-            Message(
-                "The report {path} cannot be written: {reason}. Choose another folder or free some space.",
-                path=self.path,
-                reason=reason,
-            )
-        )

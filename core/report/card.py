@@ -29,7 +29,7 @@ def photo_card(photo, number, extras=None, picture_px=1200, panels=None, say=str
     extras : mapping or None
         Further labels and values for the numbers.
     picture_px : int
-        Width to which the picture is reduced [pixels]; 0 draws nothing, only text and numbers, for very long runs.
+        Width to which the picture is reduced [pixels].
     panels : uint8 (h, w, 3) array or None
         Figure of the direction of view and the ground in view.
     say : callable
@@ -55,14 +55,20 @@ def photo_card(photo, number, extras=None, picture_px=1200, panels=None, say=str
     )
 
 
-def _origin(photo):
+def origin_words(photo):
+    """When, and with which camera, the photo was taken; '' if neither is known."""
     metadata = photo.metadata
     said = []
     if metadata is not None and metadata.taken_at is not None:
         said.append(f"{metadata.taken_at:%Y-%m-%d %H:%M}")
     if metadata is not None and metadata.camera:
         said.append(metadata.camera)
-    return fill("origin", words=" · ".join(said)) if said else ""
+    return " · ".join(said)
+
+
+def _origin(photo):
+    words = origin_words(photo)
+    return fill("origin", words=words) if words else ""
 
 
 def _judgement(photo, number, picture_px, say):

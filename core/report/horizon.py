@@ -8,7 +8,7 @@ from ..figures.profile import horizon_profile_svg
 from ..figures.text import azimuth, degrees, with_unit
 from .facts import percent
 from .overview import badge, number_cell
-from .page import DEFAULT_SOFTWARE, PageWriter, fact_table
+from .page import DEFAULT_SOFTWARE, Frame, PageWriter, fact_table
 from .pieces import fill, joined, long_text
 
 MOST_WITH_FIGURES = 2_000
@@ -68,7 +68,7 @@ class HorizonReportWriter(PageWriter):
         return [say("1 place") if count == 1 else say("{count} places").format(count=count)]
 
     def _frame(self):
-        return ("", ""), _table(self._rows, self._say), ""
+        return Frame(overview=_table(self._rows, self._say))
 
 
 def _facts(horizon, sky_view_factor, say):

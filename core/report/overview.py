@@ -63,23 +63,23 @@ def bar(summaries, say=str):
     )
 
 
-def overview_table(summaries, say=str):
-    """The table of all photographs, in the order of the run."""
+def overview_table(summaries, say=str, first=1):
+    """The table of photographs, in the order of the run; `first` is the number of the first one."""
     heads = [fill("number_head" if numeric else "text_head", words=name) for name, numeric in columns(say)]
     heads[0] = fill("status_head", words=columns(say)[0][0])
-    rows = joined(_row(number, summary, say) for number, summary in enumerate(summaries, 1))
+    rows = joined(_row(number, summary, say) for number, summary in enumerate(summaries, first))
     return fill("overview", heads=joined(heads), rows=rows)
 
 
-def _row(number, summary, say):
-    failed = summary.heading_deg is None
-    reason = fill("reason", words=summary.message) if failed else ""
+def numbers_of(summary, say=str):
+    """Values and words of a summary for all columns after status and name."""
     half = "–" if summary.half_interval_deg is None else f"±{summary.half_interval_deg:.2f}°"
-    heading = "–" if failed else f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}"
+    known = summary.heading_deg is not None
+    heading = f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}" if known else "–"
     residual = with_unit(summary.residual_px, "px", 1)
     if summary.residual_deg is not None:
         residual += f", {summary.residual_deg:.2f}°"
-    numbers = (
+    return (
         (summary.heading_deg, heading),
         (summary.half_interval_deg, half),
         (summary.p_correct, percent(summary.p_correct)),
@@ -90,14 +90,23 @@ def _row(number, summary, say):
         (summary.hfov_deg, degrees(summary.hfov_deg)),
         (summary.residual_px, residual),
     )
+
+
+def _row(number, summary, say):
+    reason = fill("reason", words=summary.message) if summary.heading_deg is None else ""
     cells = [
         fill("status_cell", sort=STATUSES.index(summary.status), words=badge(summary.status, say)),
         fill("name_cell", name=summary.name, anchor=f"photo-{number}", reason=reason),
-        *(number_cell(value, words) for value, words in numbers),
+        *(number_cell(value, words) for value, words in numbers_of(summary, say)),
     ]
     return fill("photo_row", status=summary.status, cells=joined(cells))
 
 
 def number_cell(value, words):
     """A cell that sorts by its value, None or NaN if unknown."""
-    return fill("number_cell", sort=f"{value:.6g}" if is_known(value) else "", words=words)
+    return fill("number_cell", sort=sort_key(value), words=words)
+
+
+def sort_key(value):
+    """Text to sort a value by; '' if it is None or NaN."""
+    return f"{value:.6g}" if is_known(value) else ""

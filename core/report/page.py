@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import hashlib
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -40,12 +41,17 @@ def data_url(payload, kind):
     return Html(f"data:image/{kind};base64,{base64.b64encode(payload).decode('ascii')}")
 
 
-def _assets():
-    """Return the style sheet, the script, and the policy that allows only these two."""
-    style, script = STYLE + _read("report.css"), _read("report.js")
+def _assets(name):
+    """Return the style sheet, the script, and the policy that allows only these two, and pictures.
+
+    The index of many photographs has its own script, more style, and pictures in files beside it.
+    """
+    index = name == "index"
+    style = STYLE + _read("report.css") + (_read("index.css") if index else "")
+    script, pictures = _read(f"{name}.js"), "data: 'self' file:" if index else "data:"
     policy = (
-        f"default-src 'none'; img-src data:; style-src 'sha256-{_hash(style)}'; script-src 'sha256-{_hash(script)}'; "
-        "base-uri 'none'; form-action 'none'"
+        f"default-src 'none'; img-src {pictures}; style-src 'sha256-{_hash(style)}'; "
+        f"script-src 'sha256-{_hash(script)}'; base-uri 'none'; form-action 'none'"
     )
     return {"style": Html(style), "script": Html(script), "policy": Html(policy)}
 
@@ -68,16 +74,49 @@ DEFAULT_SOFTWARE = "Skyline Viewshed"
 
 
 class Document(Protocol):
-    """The destination of a page: `core.io.whole_file.ReportFile` spools it to disk."""
+    """The destination of a page: `core.io.report_file.ReportFile` spools it to disk."""
+
+    folder: str
+    home: str
 
     def write(self, text: str) -> None:
         """Append to the body."""
+
+    def cut(self, count: int) -> bytes:
+        """Take the first `count` texts off the body."""
+
+    def add(self, name: str, content: bytes) -> None:
+        """Put a file into the folder beside the page."""
 
     def finish(self, head: str, tail: str) -> None:
         """Put `head` before the body and `tail` after it, and publish the complete file."""
 
     def discard(self) -> None:
         """Leave no file behind."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What surrounds the cards of a page; HTML.
+
+    Attributes
+    ----------
+    switches, bar, overview : str
+        Before the cards.
+    end : str
+        After them.
+    title : str
+        Title of the page, if it is not that of the report.
+    name : str
+        Name of the script: 'report', or 'index' for the index of many photographs.
+    """
+
+    switches: str = Html()
+    bar: str = Html()
+    overview: str = Html()
+    end: str = Html()
+    title: str = ""
+    name: str = "report"
 
 
 class PageWriter:
@@ -117,27 +156,53 @@ class PageWriter:
         """Finish the page and publish it."""
         if self._open:
             self._open = False
-            say, assets = self._say, _assets()
-            (switches, bar), overview, left_out = self._frame()
-            said = [*self._counts(), *([f"{self._created:%Y-%m-%d %H:%M}"] if self._created else []), self._software]
-            head = fill(
-                "page_head",
-                language=say("language code: en").split()[-1],  # each catalogue names its own
-                policy=assets["policy"],
-                style=assets["style"],
-                title=self._title,
-                counts=joined(fill("count", words=words) for words in said),
-                parameters=parameter_panel(self._parameters, say),
-                switches=switches,
-                bar=bar,
-                overview=overview,
-            )
-            words = long_text(self._closing_words(), 2000)
-            self._document.finish(head, fill("page_tail", left_out=left_out, words=words, script=assets["script"]))
+            try:
+                head, tail = self._around(self._frame(), self._counts(), self._parameters)
+            except BaseException:
+                self._document.discard()
+                raise
+            self._document.finish(head, tail)
 
-    def _closing_words(self):
+    def _around(self, frame, counts, parameters=None):
+        """HTML before and after the cards of a page.
+
+        Parameters
+        ----------
+        frame : Frame
+        counts : list of str
+            Texts under the title.
+        parameters : mapping or None
+            As for the class.
+
+        Returns
+        -------
+        head, tail : str
+        """
+        say, assets = self._say, _assets(frame.name)
+        said = [*counts, *([f"{self._created:%Y-%m-%d %H:%M}"] if self._created else []), self._software]
+        head = fill(
+            "page_head",
+            language=say("language code: en").split()[-1],  # each catalogue names its own
+            policy=assets["policy"],
+            style=assets["style"],
+            title=frame.title or self._title,
+            counts=joined(fill("count", words=words) for words in said),
+            parameters=parameter_panel(parameters, say),
+            switches=frame.switches,
+            bar=frame.bar,
+            overview=frame.overview,
+        )
+        words = long_text(self._closing_words(frame.name), 2000)
+        return head, fill("page_tail", left_out=frame.end, words=words, script=assets["script"])
+
+    def _closing_words(self, name):
         say = self._say
         made_by = say("Made by {software}.").format(software=self._software) + " " if self._software else ""
+        if name == "index":
+            return made_by + say(
+                "The cards are in the folder {folder} beside this page: keep both together. They load nothing from "
+                "the network."
+            ).format(folder=self._document.folder.split("/")[0])
         return made_by + say(
             "This page is self-contained and loads nothing from the network. Keys: j for the next photo, k "
             "for the previous one."
@@ -154,5 +219,5 @@ class PageWriter:
         return []
 
     def _frame(self):
-        """((switches, bar), overview, end): HTML around the cards."""
+        """Return the `Frame` around the cards."""
         raise NotImplementedError

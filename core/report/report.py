@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from ..base.status import RELIABLE, STATUSES
+from ..base.status import STATUSES
 from ..figures.stations import Station, stations_svg
-from .card import photo_card
+from .card import origin_words, photo_card
+from .collection import CardPages, index_body, navigation, picture_file, thumbnail_of, title_of
 from .facts import status_word, summarise
 from .overview import bar, overview_table, switches
-from .page import DEFAULT_SOFTWARE, PageWriter
-from .pieces import Html, fill, joined, long_text
-
-MOST_ACCEPTED_WITH_FIGURES = 1_000
-"""Most accepted photographs drawn in full; browsers grow slow beyond some hundred megabytes. Later ones get numbers
-only."""
-
-MOST_WITH_FIGURES = 2_000
-"""Most photographs drawn in full; the doubtful ones keep their pictures longer."""
-
-
-MOST_ON_PLAN = 1_000
+from .page import DEFAULT_SOFTWARE, Frame, PageWriter
+from .pieces import Html, fill, joined
 
 
 class ReportWriter(PageWriter):
     """Write a report photo by photo; see `PageWriter` for the parameters and the use as a context manager.
+
+    Up to `collection.MOST_ON_ONE_PAGE` photographs are cards on one page. Beyond that the page becomes an index, and
+    the cards go to pages of their own in a folder beside it.
 
     Parameters
     ----------
@@ -46,7 +40,7 @@ class ReportWriter(PageWriter):
     ):
         super().__init__(document, title, parameters, software=software, created=created, say=say)
         self._picture_px = picture_width_px(expected_photos)
-        self._summaries, self._stations, self._drawn = [], [], 0
+        self._photos, self._pages = [], CardPages()
 
     def add(self, photo, extras=None, panels=None):
         """Append the card of a photograph.
@@ -59,40 +53,51 @@ class ReportWriter(PageWriter):
         panels : uint8 (h, w, 3) array or None
             Figure of the direction of view and the ground in view.
         """
-        self._summaries.append(summarise(photo))
-        self._stations.append(_station(photo, self._summaries[-1], len(self._summaries)))
-        most = MOST_ACCEPTED_WITH_FIGURES if photo.orientation.status in RELIABLE else MOST_WITH_FIGURES
-        figures = self._drawn < most
-        self._drawn += figures
-        number = len(self._summaries)
-        self._document.write(photo_card(photo, number, extras, self._picture_px if figures else 0, panels, self._say))
+        summary, number = summarise(photo), len(self._photos) + 1
+        self._photos.append((summary, _station(photo, summary, number), origin_words(photo)))
+        card = photo_card(photo, number, extras, self._picture_px, panels, self._say)
+        self._document.write(card)
+        self._pages.add(card, thumbnail_of(photo))
+        self._put_pages()
 
-    def _counts(self):
-        counts = [(sum(summary.status == name for summary in self._summaries), name) for name in STATUSES]
+    def _put_pages(self, last=False):
+        """Move complete pages of cards to files of their own, if the report has too many cards for one page."""
+        while self._pages.many and (taken := self._pages.take(last)):
+            page, picture = taken
+            say, summaries = self._say, self._summaries()[page.first - 1 : page.last]
+            links = navigation(page, self._pages.more, self._document.home, say)
+            table = overview_table(summaries, say, page.first)
+            title = title_of(page, self._title, say)
+            frame = Frame(switches(), bar(summaries, say), joined([links, table]), links, title)
+            head, tail = self._around(frame, self._counts(summaries))
+            cards = self._document.cut(page.last - page.first + 1)
+            self._document.add(page.html, head.encode("utf-8") + cards + tail.encode("utf-8"))
+            if picture is not None:
+                self._document.add(page.picture, picture_file(picture))
+
+    def _summaries(self):
+        return [summary for summary, _, _ in self._photos]
+
+    def _counts(self, summaries=None):
+        counted = self._summaries() if summaries is None else summaries
+        counts = [(sum(summary.status == name for summary in counted), name) for name in STATUSES]
         return [f"{count} {status_word(name, self._say)}" for count, name in counts if count]
 
     def _frame(self):
-        table = overview_table(self._summaries, self._say)
-        return (switches(), bar(self._summaries, self._say)), joined([table, self._plan()]), self._left_out()
+        if self._pages.many:
+            self._put_pages(last=True)
+            body = index_body(self._photos, self._pages, self._document.folder, self._say)
+            return Frame(overview=body, name="index")
+        summaries = self._summaries()
+        table = overview_table(summaries, self._say)
+        return Frame(switches(), bar(summaries, self._say), joined([table, self._plan()]))
 
     def _plan(self):
-        """Draw the collapsible plan of the stations, at most the first thousand of them."""
+        """Draw the collapsible plan of the stations."""
         say = self._say
-        plan = stations_svg(self._stations[:MOST_ON_PLAN], say=say)
+        plan = stations_svg([station for _, station, _ in self._photos], say=say)
         title = say("Camera positions and headings")
         return fill("panel", title=title, body=Html(plan)) if plan else Html()
-
-    def _left_out(self):
-        missing = len(self._summaries) - self._drawn
-        if not missing:
-            return ""
-        say = self._say
-        words = say(
-            "{count} photographs are shown without figures, to keep this page usable. A report has figures "
-            "for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to "
-            "get figures for all of them."
-        ).format(count=missing, most=MOST_WITH_FIGURES, accepted=MOST_ACCEPTED_WITH_FIGURES)
-        return fill("left_out", words=long_text(words))
 
 
 def _station(photo, summary, number):

@@ -104,7 +104,7 @@ app = QgsApplication([], False)
 app.initQgis()
 from skyline_viewshed.algorithms.import_photos import ImportPhotos
 from skyline_viewshed.algorithms.shared.outputs import write_features, write_whole
-from skyline_viewshed.core.io.whole_file import ReportFile
+from skyline_viewshed.core.io.report_file import ReportFile
 from skyline_viewshed.demo.dem_file import write_dem
 import numpy as np
 

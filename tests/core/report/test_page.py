@@ -6,14 +6,15 @@ import base64
 
 import pytest
 from documents import MemoryDocument
-from skyline_viewshed.core.report.page import PageWriter, data_url, fact_table, parameter_panel
+from skyline_viewshed.core.report.page import Frame, PageWriter, data_url, fact_table, parameter_panel
+from skyline_viewshed.core.report.pieces import Html
 
 
 class Plain(PageWriter):
     """A page with nothing of its own."""
 
     def _frame(self):
-        return ("", ""), "<overview>", ""
+        return Frame(overview=Html("<overview>"))
 
 
 def test_loose_parameters_form_a_group_and_mappings_their_own():

@@ -251,15 +251,7 @@ def test_an_error_inside_the_run_leaves_nothing(painted):
     assert document.text == ""
 
 
-def test_very_long_runs_keep_numbers_for_all_and_figures_for_the_first(monkeypatch):
-    from skyline_viewshed.core.report import report
-
-    monkeypatch.setattr(report, "MOST_WITH_FIGURES", 3)
-    monkeypatch.setattr(report, "MOST_ACCEPTED_WITH_FIGURES", 2)
-    curve = Orientation("rejected", "no", (), None, None, None, [0.0, 180.0], [1.0, 2.0])
-    text = report_html([OrientedPhoto(f"{index}.jpg", curve) for index in range(5)], "t")
-    assert Page(text).count("article") == 5
-    assert "2 photographs are shown without figures" in text
+def test_pictures_are_smaller_the_more_there_are():
     assert picture_width_px(10) > picture_width_px(400) > picture_width_px(10_000)
 
 

@@ -1,0 +1,144 @@
+"""A report reaches its name whole or not at all, also with a folder of pages beside it."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+from skyline_viewshed.core.base.errors import OutputError
+from skyline_viewshed.core.io import report_file
+from skyline_viewshed.core.io.report_file import ReportFile
+
+
+def test_head_body_and_tail_come_in_order(tmp_path):
+    path = tmp_path / "ärgernis 🏔.html"
+    file = ReportFile(path)
+    for part in ("eins ", "zwei ", "⟨drei⟩\n"):
+        file.write(part)
+    file.finish("<head>", "<tail>")
+    assert path.read_bytes() == "<head>eins zwei ⟨drei⟩\n<tail>".encode()
+    assert os.listdir(tmp_path) == [path.name]
+
+
+def test_until_the_end_there_is_no_report_and_the_older_one_stays(tmp_path):
+    path = tmp_path / "report.html"
+    path.write_text("older")
+    file = ReportFile(path)
+    file.write("newer" * 100_000)
+    assert path.read_text() == "older"
+    assert os.listdir(tmp_path) == ["report.html"]
+    file.discard()
+    assert path.read_text() == "older"
+    assert os.listdir(tmp_path) == ["report.html"]
+
+
+def test_a_missing_folder_of_a_report_is_said_in_a_sentence(tmp_path):
+    with pytest.raises(OutputError, match="does not exist"):
+        ReportFile(tmp_path / "missing" / "report.html")
+
+
+def test_a_name_that_is_a_folder_is_refused_and_nothing_stays(tmp_path):
+    (tmp_path / "report.html").mkdir()
+    file = ReportFile(tmp_path / "report.html")
+    with pytest.raises(OutputError, match="cannot be written"):
+        file.finish("a", "b")
+    assert os.listdir(tmp_path) == ["report.html"]
+
+
+def test_a_full_disk_is_said_in_a_sentence():
+    """/dev/full refuses every byte, as a full disk does."""
+    if not os.path.exists("/dev/full"):
+        pytest.skip("this system has no /dev/full")
+    file = ReportFile(os.path.join(os.curdir, "never-written.html"))
+    file._body.close()
+    file._body = open("/dev/full", "r+b", buffering=0)  # noqa: SIM115
+    with pytest.raises(OutputError, match="free some space"):
+        file.write("x" * 1_000_000)
+    file.discard()
+    assert not os.path.exists("never-written.html")
+
+
+def test_what_waits_is_not_held_in_memory(tmp_path):
+    import tracemalloc
+
+    tracemalloc.start()
+    file = ReportFile(tmp_path / "report.html")
+    for _ in range(200):
+        file.write("x" * 250_000)
+    file.finish("", "")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert (tmp_path / "report.html").stat().st_size == 50_000_000
+    assert peak < 10_000_000
+
+
+def report_with_page(path, words="page"):
+    file = ReportFile(path)
+    file.write(words)
+    file.add("page-0001.html", file.cut(1))
+    return file
+
+
+def files_of(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
+
+
+def test_texts_are_cut_off_the_body_in_order(tmp_path):
+    file = ReportFile(tmp_path / "report.html")
+    for number in range(7):
+        file.write(f"Ä{number} ")
+    taken = [file.cut(2).decode(), file.cut(3).decode()]
+    file.write("last ")
+    assert [*taken, file.cut(1).decode()] == ["Ä0 Ä1 ", "Ä2 Ä3 Ä4 ", "Ä5 "]
+    file.finish("<", ">")
+    assert (tmp_path / "report.html").read_text(encoding="utf-8") == "<Ä6 last >"
+
+
+def test_a_report_refers_to_pages_that_are_there_and_those_of_older_reports_go(tmp_path):
+    path = tmp_path / "run.html"
+    for words in ("older", "newer"):
+        file = report_with_page(path, words)
+        assert not (tmp_path / file.folder).exists()
+        file.finish(f"<{file.folder}>", "")
+    folder = path.read_text()[1:-1]
+    assert files_of(tmp_path) == sorted(["run.html", f"{folder}/page-0001.html"])
+    page = tmp_path / folder / "page-0001.html"
+    assert page.read_text() == "newer"
+    assert (page.parent / file.home).resolve() == path
+
+
+def test_a_small_report_removes_the_pages_of_a_large_one_and_nothing_else(tmp_path):
+    report_with_page(tmp_path / "run.html").finish("", "")
+    report_with_page(tmp_path / "other.html").finish("", "")
+    (tmp_path / "run_files" / "notes").mkdir()
+    ReportFile(tmp_path / "run.html").finish("", "")
+    assert os.listdir(tmp_path / "run_files") == ["notes"]
+    assert len(files_of(tmp_path / "other_files")) == 1
+    (tmp_path / "run_files" / "notes").rmdir()
+    ReportFile(tmp_path / "run.html").finish("", "")
+    assert not (tmp_path / "run_files").exists()
+
+
+@pytest.mark.parametrize("step", [1, 2])
+def test_wherever_publishing_fails_the_older_report_and_its_pages_stay(tmp_path, monkeypatch, step):
+    path = tmp_path / "run.html"
+    first = report_with_page(path, "older")
+    first.finish("older", "")
+    before, moves, replace = files_of(tmp_path), [], os.replace
+
+    def failing(source, target):
+        moves.append(target)
+        if len(moves) == step:
+            raise PermissionError(13, "Access is denied")
+        replace(source, target)
+
+    monkeypatch.setattr(report_file.os, "replace", failing)
+    with pytest.raises(OutputError, match="Access is denied"):
+        report_with_page(path, "newer").finish("newer", "")
+    assert files_of(tmp_path) == before and path.read_text() == "older"
+    assert sorted(os.listdir(tmp_path)) == ["run.html", "run_files"]
+
+
+def test_a_report_that_was_given_up_leaves_no_pages(tmp_path):
+    report_with_page(tmp_path / "run.html").discard()
+    assert os.listdir(tmp_path) == []
