@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from skyline_viewshed.core.base.errors import UnreadablePhotoError
+from skyline_viewshed.core.base.threads import thread_count
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,8 @@ class Squares:
             progress.report(0.5)
             time.sleep(0.5)
             return progress.cancelled()
+        if task == "threads":
+            return thread_count()
         if task == "pid":
             time.sleep(0.05)
             return os.getpid()

@@ -42,6 +42,9 @@ class PhotoMetadata:
     taken_at, utc_offset_s : datetime or None, float or None
         Local time of the camera, and how much it is ahead of UTC [s], as recorded or from the time of the GPS.
     camera : str or None
+        Maker and model.
+    software : str or None
+        What wrote the file: on phones the version of the system.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
@@ -71,6 +74,7 @@ class PhotoMetadata:
     utc_offset_s: float | None = None
     gimbal_pitch_deg: float | None = None
     gimbal_roll_deg: float | None = None
+    software: str | None = None
 
 
 @dataclass(frozen=True, eq=False)

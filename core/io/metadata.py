@@ -85,6 +85,7 @@ def interpret(tags, width_px, height_px):
         "taken_at": _time(tags),
         "utc_offset_s": _utc_offset_s(tags),
         "camera": _camera(tags),
+        "software": tags.get("Software") or None,
         "panorama": panorama,
         "notes": tuple(notes),
     }

@@ -194,13 +194,12 @@ def _links(links):
 
 def _data(photos, pages, folder, say):
     """JSON of all photographs, safe inside a script element."""
-    east, north = _places([station for _, station, _ in photos])
+    places = _places([station for _, station, _ in photos])
     page_of = [(page.number, first) for page in pages.pages for first in range(page.last - page.first + 1)]
     rows = []
     for index, (summary, station, origin) in enumerate(photos):
         numbers = numbers_of(summary, say)
-        sheet, place = page_of[index]
-        size = pages.sizes[index]
+        (sheet, cell), size, place = page_of[index], pages.sizes[index], places[index]
         rows.append(
             [
                 STATUSES.index(summary.status),
@@ -209,8 +208,8 @@ def _data(photos, pages, folder, say):
                 plain(summary.message) if summary.heading_deg is None else "",
                 [sort_key(value) for value, _ in numbers],
                 [words for _, words in numbers],
-                None if east[index] is None else [east[index], north[index], _round(station.heading_deg), _round(station.hfov_deg)],
-                [sheet, place, *([0, 0] if size is None else [size[1], size[0]])],
+                None if place is None else [*place, _round(station.heading_deg), _round(station.hfov_deg)],
+                [sheet, cell, *([0, 0] if size is None else [size[1], size[0]])],
             ]
         )  # fmt: skip
     facts = {
@@ -227,11 +226,11 @@ def _data(photos, pages, folder, say):
 def _places(stations):
     """Metres to the east and north of each station, rounded; None without a position."""
     known = [k for k, s in enumerate(stations) if is_known(s.longitude_deg) and is_known(s.latitude_deg)]
-    east, north = [None] * len(stations), [None] * len(stations)
+    places = [None] * len(stations)
     if known:
-        for k, x, y in zip(known, *east_north([stations[k] for k in known])):
-            east[k], north[k] = round(float(x), 1), round(float(y), 1)
-    return east, north
+        for k, *place in zip(known, *east_north([stations[k] for k in known])):
+            places[k] = [round(float(metres), 1) for metres in place]
+    return places
 
 
 def _round(value):

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from ..base.status import STATUSES
 from ..figures.stations import Station, stations_svg
+from .audit import reading_of
 from .card import origin_words, photo_card
 from .collection import CardPages, index_body, navigation, picture_file, thumbnail_of, title_of
+from .compass import compass_panel
 from .facts import status_word, summarise
 from .overview import bar, overview_table, switches
 from .page import DEFAULT_SOFTWARE, Frame, PageWriter
@@ -40,7 +42,7 @@ class ReportWriter(PageWriter):
     ):
         super().__init__(document, title, parameters, software=software, created=created, say=say)
         self._picture_px = picture_width_px(expected_photos)
-        self._photos, self._pages = [], CardPages()
+        self._photos, self._readings, self._pages = [], [], CardPages()
 
     def add(self, photo, extras=None, panels=None):
         """Append the card of a photograph.
@@ -55,6 +57,7 @@ class ReportWriter(PageWriter):
         """
         summary, number = summarise(photo), len(self._photos) + 1
         self._photos.append((summary, _station(photo, summary, number), origin_words(photo)))
+        self._readings += filter(None, [reading_of(photo)])
         card = photo_card(photo, number, extras, self._picture_px, panels, self._say)
         self._document.write(card)
         self._pages.add(card, thumbnail_of(photo))
@@ -87,10 +90,14 @@ class ReportWriter(PageWriter):
         if self._pages.many:
             self._put_pages(last=True)
             body = index_body(self._photos, self._pages, self._document.folder, self._say)
-            return Frame(overview=body, name="index")
+            return Frame(overview=joined([compass_panel(self._readings, self._say), body]), name="index")
         summaries = self._summaries()
         table = overview_table(summaries, self._say)
-        return Frame(switches(), bar(summaries, self._say), joined([table, self._plan()]))
+        return Frame(
+            switches(),
+            bar(summaries, self._say),
+            joined([table, self._plan(), compass_panel(self._readings, self._say)]),
+        )
 
     def _plan(self):
         """Draw the collapsible plan of the stations."""

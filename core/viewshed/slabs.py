@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from threading import Lock
 
 import numpy as np
 
-from ..base.terrain import Window
+from ..base.terrain import Terrain, Window
 
 SLAB = 256
 """Number of lines read at once; slabs start at its multiples, as the tiles of usual files do."""
@@ -30,6 +31,27 @@ class SweptGround:
     quarter: object
     window: object
     k_max: float
+
+
+class OneAtATime(Terrain):
+    """A terrain that several threads read, one at a time."""
+
+    def __init__(self, terrain):
+        self.shape, self._terrain, self._lock = terrain.shape, terrain, Lock()
+
+    def read(self, window):
+        """See `Terrain.read`."""
+        with self._lock:
+            return self._terrain.read(window)
+
+    def read_into(self, window, out):
+        """See `Terrain.read_into`."""
+        with self._lock:
+            self._terrain.read_into(window, out)
+
+    def frame(self, longitude_deg, latitude_deg, radius_m):
+        """See `Terrain.frame`."""
+        return self._terrain.frame(longitude_deg, latitude_deg, radius_m)
 
 
 class Slabs:

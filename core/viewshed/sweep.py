@@ -72,12 +72,22 @@ class _Passed:
 
 
 class QuarterSweep:
-    """State and steps of one quarter's sweep."""
+    """State and steps of one quarter's sweep.
 
-    def __init__(self, ground, sector, options, sink):
+    Parameters
+    ----------
+    ground : SweptGround
+    sector : Sector
+    options : SweepOptions
+    sink : Sink
+    lock : context manager
+        Held while the sink is used, because quarters may be swept in several threads.
+    """
+
+    def __init__(self, ground, sector, options, sink, lock):
         self.ground, self.quarter, self.k_max = ground, ground.quarter, ground.k_max
         quarter, k_max = ground.quarter, ground.k_max
-        self.sector, self.options, self.sink = sector, options, sink
+        self.sector, self.options, self.sink, self.lock = sector, options, sink, lock
         spacing = 1.0 / max(k_max * options.rays_per_cell, 8.0)
         count = int(np.ceil((quarter.u_max - quarter.u_min) / spacing)) + 3
         self.u_first, self.spacing = quarter.u_min - spacing, spacing
@@ -115,7 +125,8 @@ class QuarterSweep:
         for first, last in zip(edges[::2].tolist(), edges[1::2].tolist()):  # all other blocks stay 0
             window, inner = self.slabs.place(lines, start + first, last - first)
             values = result[:: self.quarter.sign, first:last][:, inner]
-            self.sink.add(window, values if self.quarter.by_rows else values.T)
+            with self.lock:
+                self.sink.add(window, values if self.quarter.by_rows else values.T)
 
     @staticmethod
     def _bands(lines):

@@ -7,18 +7,20 @@ See `core.viewshed.sweep` for the method and `docs/performance.md` for the alter
 from __future__ import annotations
 
 from dataclasses import dataclass
+from threading import Lock
 
 import numpy as np
 
 from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
 from ..base.errors import ObserverOutsideDemError
-from ..base.progress import SILENT, subtask
+from ..base.progress import SILENT
 from ..base.terrain import Window, eye_elevation_m
+from ..base.threads import side_by_side
 from ..base.viewed import VISIBLE, ArraySink, Viewshed
 from .geometry import quarters
 from .sector import FullCircle, PhotoFrame, Wedge
 from .sinks import PackedSink
-from .slabs import SweptGround
+from .slabs import OneAtATime, SweptGround
 from .sweep import QuarterSweep, SweepOptions
 
 __all__ = [
@@ -35,6 +37,9 @@ __all__ = [
 KEPT_BYTES = 30 * 2**20
 """Memory of arrays up to this size is reused. Linux's allocator returns the memory of large arrays to the system until
 an even larger one has been freed, and fetching it again, page by page, takes as long as a tenth of a sweep."""
+
+LEAST_CELLS = 1_000_000
+"""Windows of fewer cells are swept in one thread: threads would cost more than they save."""
 
 FRAME_MARGIN = 1.6
 """The frame reaches this many times farther than the range, as the quarters' corners do."""
@@ -127,10 +132,19 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     # sectors.
     k_max = _farthest_lines(frame, sector_window(frame, terrain.shape, FullCircle(), options.max_distance_m))
     views = quarters(frame, k_max, sector.touches)
-    for done, quarter in enumerate(views):
-        ground = SweptGround(terrain, quarter, window, k_max[quarter.by_rows, quarter.sign])
-        sweep = QuarterSweep(ground, sector, sweep_options, taken)
-        sweep.run(subtask(progress, done / len(views), (done + 1) / len(views)))
+    views.sort(key=lambda quarter: -k_max[quarter.by_rows, quarter.sign])  # so that the largest does not come last
+    shared, lock = OneAtATime(terrain), Lock()
+    sweeps = [
+        QuarterSweep(
+            SweptGround(shared, quarter, window, k_max[quarter.by_rows, quarter.sign]),
+            sector,
+            sweep_options,
+            taken,
+            lock,
+        )
+        for quarter in views
+    ]
+    side_by_side([sweep.run for sweep in sweeps], progress, 1 if window.rows * window.cols < LEAST_CELLS else 0)
     mark_observer(taken, frame, terrain.shape, sector, options)
     return Viewshed(window, taken.values, frame, eye_m, options, sector)
 

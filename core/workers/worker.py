@@ -12,6 +12,7 @@ import time
 import traceback
 
 from ..base.errors import Cancelled
+from ..base.threads import use_one_thread
 from .wire import receive, send
 
 REPORTS_PER_S = 5.0
@@ -19,6 +20,7 @@ REPORTS_PER_S = 5.0
 
 def serve():
     """Work until the pipe from the pool closes; then this process ends at once."""
+    use_one_thread()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches all processes of a terminal; the pool decides
     requests = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")

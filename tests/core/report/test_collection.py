@@ -132,7 +132,11 @@ def test_large_cards_end_pages_before_they_grow_too_large(monkeypatch):
 
 
 def test_hostile_names_do_not_end_the_data(small_pages):
-    names = ["</script><script>alert(1)</script>.jpg", "evil\u202egpj.exe", b"\xff.jpg".decode("utf-8", "surrogateescape")]
+    names = [
+        "</script><script>alert(1)</script>.jpg",
+        "evil\u202egpj.exe",
+        b"\xff.jpg".decode("utf-8", "surrogateescape"),
+    ]
     document = written([failed(name, name) for name in names * 2])
     document.text.encode("utf-8")
     assert document.text.count("<script") == 2

@@ -1,3 +1,6 @@
+from threading import Lock, get_ident
+from time import sleep
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -5,13 +8,15 @@ from hypothesis import strategies as st
 from reference.landscapes import fractal, stand
 from reference.sight_lines import viewshed_by_lines
 from reference.views import UNKNOWN, look, overlap, spread
+from skyline_viewshed.core.base import threads
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame, project
-from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError
+from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError, UnusableDemError
 from skyline_viewshed.core.base.frame import tabulate_frame
 from skyline_viewshed.core.base.terrain import Observer, Terrain, Window
-from skyline_viewshed.core.base.viewed import Sink
+from skyline_viewshed.core.base.viewed import ArraySink, Sink
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
-from skyline_viewshed.core.viewshed.viewshed import PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
+from skyline_viewshed.core.viewshed import viewshed as viewsheds
+from skyline_viewshed.core.viewshed.viewshed import FullCircle, PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
 
 
 def directions(shape, cell_m, row, col):
@@ -304,6 +309,67 @@ def test_outside_the_dem_nothing_can_be_seen():
 def test_the_type_of_the_elevations_does_not_matter(dtype):
     ground = np.rint(fractal(101, seed=9))
     assert np.array_equal(look(ground.astype(dtype), 30.0, 50, 50), look(ground, 30.0, 50, 50))
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.float32])
+@pytest.mark.parametrize(
+    "sector", [FullCircle(), Wedge(340.0, 130.0), PhotoFrame(Camera(900, 600, 700.0), Pose(40, 2, 1))]
+)
+def test_the_result_is_the_same_to_the_last_bit_for_any_number_of_threads(monkeypatch, kind, sector):
+    ground = fractal(301, seed=2)
+    ground[40:60, 150:170] = np.nan
+    terrain, observer = stand(ground, 30.0, 150.3, 120.7, 10.0)
+    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
+    results = []
+    for count in (1, 2, 3, 4):
+        monkeypatch.setattr(threads, "_limit", [count])
+        results.append(viewshed(terrain, observer, sector, sink=lambda window: ArraySink(window, kind)).values)
+    assert results[0].any()
+    assert len({values.tobytes() for values in results}) == 1
+
+
+class Watched(Terrain):
+    """A terrain of which `look` sees every window before it is read."""
+
+    def __init__(self, terrain, look):
+        self.shape, self.terrain, self.look = terrain.shape, terrain, look
+
+    def read(self, window):
+        self.look(window)
+        return self.terrain.read(window)
+
+    def frame(self, *place):
+        return self.terrain.frame(*place)
+
+
+def test_threads_read_a_terrain_one_at_a_time(monkeypatch):
+    terrain, observer = stand(fractal(301, seed=2), 30.0, 150, 150, 10.0)
+    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
+    monkeypatch.setattr(threads, "_limit", [4])
+    busy, readers = Lock(), set()
+
+    def guard(_):
+        assert busy.acquire(blocking=False)
+        readers.add(get_ident())
+        sleep(0.01)
+        busy.release()
+
+    viewshed(Watched(terrain, guard), observer)
+    assert len(readers) > 1
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_an_error_of_the_terrain_reaches_the_caller(monkeypatch, count):
+    terrain, observer = stand(fractal(301, seed=2), 30.0, 150, 150, 10.0)
+    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
+    monkeypatch.setattr(threads, "_limit", [count])
+
+    def refuse(window):
+        if window.rows * window.cols > 100:
+            raise UnusableDemError("damaged")
+
+    with pytest.raises(UnusableDemError, match="damaged"):
+        viewshed(Watched(terrain, refuse), observer)
 
 
 def test_cancelling_stops_it():
