@@ -175,7 +175,7 @@ def circle_end_to_end(bench, scene, grass=None):
     ours = lambda: engine("circle", *place, scene.output("circle.tif"))  # noqa: E731
     bench.paired(
         f"full circle against gdal_viewshed, {scene.name}",
-        ours, lambda: gdal_viewshed(*place, scene.output("gdal.tif")), 3.0, 1.0,
+        ours, lambda: gdal_viewshed(*place, scene.output("gdal.tif")), {"A": 0.8, "B": 1.2}[scene.name], 0.7,
     )  # fmt: skip
     if grass is not None:
         bench.paired(

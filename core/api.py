@@ -39,6 +39,7 @@ from .many import JOINT_PART, OrientJob, answers_of, look_again, outcomes_of
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
+from .report.audit import DeviceAudit, audit, reading_of
 from .report.report import ReportWriter
 from .simulate.example import example_terrain
 from .simulate.render import render_view
@@ -56,11 +57,12 @@ if TYPE_CHECKING:
     Sector = Union[FullCircle, Wedge, PhotoFrame]
 
 __all__ = [
-    "ArrayTerrain", "Cancelled", "FullCircle", "HorizonOptions", "HorizonProfile", "LandmarkHint", "Observer",
-    "OrientOptions", "OrientedPhoto", "Photo", "PhotoError", "PhotoMetadata", "PhotoRequest", "PosedPhoto",
-    "SceneOptions", "SkylineViewshedError", "TerrainError", "Viewshed", "ViewshedOptions", "Wedge", "dem_from_array",
-    "example_terrain", "horizon_profile", "list_photos", "open_dem", "orient", "orient_many", "overlay", "place",
-    "read_metadata", "read_photo", "save_points", "save_report", "save_viewshed", "simulate", "viewshed",
+    "ArrayTerrain", "Cancelled", "DeviceAudit", "FullCircle", "HorizonOptions", "HorizonProfile", "LandmarkHint",
+    "Observer", "OrientOptions", "OrientedPhoto", "Photo", "PhotoError", "PhotoMetadata", "PhotoRequest",
+    "PosedPhoto", "SceneOptions", "SkylineViewshedError", "TerrainError", "Viewshed", "ViewshedOptions", "Wedge",
+    "compass_audit", "dem_from_array", "example_terrain", "horizon_profile", "list_photos", "open_dem", "orient",
+    "orient_many", "overlay", "place", "read_metadata", "read_photo", "save_points", "save_report", "save_viewshed",
+    "simulate", "viewshed",
 ]  # fmt: skip
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -450,6 +452,8 @@ def save_report(
 ) -> None:
     """Write the report, one HTML page with a card for each photograph. `photos` may be a generator.
 
+    From 201 photographs on, the page is an index with a map, and the cards are pages in the folder `<name>_files`.
+
     Parameters
     ----------
     photos : iterable of OrientedPhoto
@@ -467,6 +471,17 @@ def save_report(
     with ReportWriter(document, title, facts, created=datetime.now(), expected_photos=count) as report:
         for photo in photos:
             report.add(photo)
+
+
+def compass_audit(photos: Iterable[OrientedPhoto]) -> list[DeviceAudit]:
+    """Judge the compasses of a collection: bias, spread, worthless and turned readings, and drift of each device.
+
+    Examples
+    --------
+    >>> for device in compass_audit(orient_many(["north.jpg"], open_dem("dem.tif"))):
+    ...     print(device.device, device.count, device.bias_deg)
+    """
+    return audit(filter(None, map(reading_of, photos)))
 
 
 def save_viewshed(seen: Viewshed, dem: Dem, path: PathLike, facts: dict[str, Any] | None = None) -> None:

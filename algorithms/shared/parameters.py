@@ -277,7 +277,11 @@ def report_out(name="REPORT", create=True):
         name, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=create
     )
     return explained(
-        parameter, tr("One self-contained HTML file with figures, numbers and advice for each photo or point.")
+        parameter,
+        tr(
+            "One self-contained HTML file with figures, numbers and advice for each photo or point. From 201 photos on, "
+            "the file is an index with a map, filters and thumbnails, and the cards are pages in a folder beside it."
+        ),
     )
 
 

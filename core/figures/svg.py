@@ -278,7 +278,9 @@ _RULES = """
 .zero{stroke:var(--best);stroke-width:1.5;fill:none}
 .unknown{fill:var(--shade);fill-opacity:.28}.clipped{fill:var(--alternative);fill-opacity:.16}
 .arrow{fill:var(--ink);stroke:none}
-.bars{fill:var(--shade);fill-opacity:.6}.dots{fill:none;stroke-width:5;stroke-linecap:round;stroke-opacity:.7}.bias{stroke-width:1.5;stroke-dasharray:6 3}
+.bars{fill:var(--shade);fill-opacity:.6}
+.dots{fill:none;stroke-width:5;stroke-linecap:round;stroke-opacity:.7}
+.bias{stroke-width:1.5;stroke-dasharray:6 3}
 .device0{stroke:var(--best)}.device1{stroke:var(--extracted)}.device2{stroke:var(--alternative)}.device3{stroke:var(--compass)}
 .horizon{stroke:var(--ink);stroke-width:1;fill:none;stroke-linejoin:round}
 """

@@ -193,7 +193,7 @@ class PageWriter:
             overview=frame.overview,
         )
         words = long_text(self._closing_words(frame.name), 2000)
-        return head, fill("page_tail", left_out=frame.end, words=words, script=assets["script"])
+        return head, fill("page_tail", end=frame.end, words=words, script=assets["script"])
 
     def _closing_words(self, name):
         say = self._say

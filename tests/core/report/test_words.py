@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -17,7 +18,7 @@ from skyline_viewshed.core.figures.map import MapData, MapObserver
 from skyline_viewshed.core.figures.profile import horizon_profile_svg, residuals_svg
 from skyline_viewshed.core.figures.score import score_curve_svg
 from skyline_viewshed.core.figures.text import compass_point
-from skyline_viewshed.core.report import report
+from skyline_viewshed.core.report import collection
 from skyline_viewshed.core.report.horizon import HorizonReportWriter
 from skyline_viewshed.core.report.report import ReportWriter
 
@@ -89,11 +90,24 @@ def test_no_word_of_a_report_stays_english(painted):
     assert latin(html) == set()
 
 
-def test_the_remark_on_missing_figures_is_said(painted, monkeypatch):
-    monkeypatch.setattr(report, "MOST_ACCEPTED_WITH_FIGURES", 0)
-    html = written([foreign(painted())])
-    assert "λλλ" in html.split("<footer")[0].rsplit('<p class="panel">', 1)[1]
-    assert latin(html) == set()
+def test_no_word_of_an_index_and_its_pages_stays_english(painted, monkeypatch):
+    monkeypatch.setattr(collection, "MOST_ON_ONE_PAGE", 3)
+    monkeypatch.setattr(collection, "CARDS_A_PAGE", 2)
+    monkeypatch.setattr(MemoryDocument, "folder", "Ω/Ψ")
+    photos = [foreign(painted()) for _ in range(4)] + [OrientedPhoto("Ω", Orientation("failed", "Ω"))]
+    turned = [replace(photo, compass_true_deg=215.0) for photo in photos[:3]]
+    document = MemoryDocument()
+    with ReportWriter(document, "Ω", {"Ω": 1}, software="Ω", say=say) as writer:
+        for photo in photos + turned:
+            writer.add(photo, {"Ω": "Ω"})
+    pages = [content.decode() for name, content in document.files.items() if name.endswith(".html")]
+    assert len(pages) == 4 and "λλλ" in document.text
+    for html in [document.text, *pages]:
+        assert latin(html) == set()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', document.text).group(1))
+    shown = [data["found"], data["rows"], *(words for _, words in data["statuses"])]
+    shown += [words for photo in data["photos"] for words in (*photo[1:4], *photo[5])]
+    assert {word for said in shown for word in re.findall(r"[A-Za-z]+", re.sub(r"\{\w+\}", "", said))} <= UNITS
 
 
 def test_no_word_of_a_horizon_report_stays_english(painted):
