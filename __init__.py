@@ -5,11 +5,12 @@ QGIS loads this package as a plugin; everywhere else ``import skyline_viewshed a
 """
 
 __all__ = [
-    "ArrayTerrain", "Cancelled", "FullCircle", "HorizonOptions", "HorizonProfile", "LandmarkHint", "Observer",
-    "OrientOptions", "OrientedPhoto", "Photo", "PhotoError", "PhotoMetadata", "PhotoRequest", "PosedPhoto",
-    "SceneOptions", "SkylineViewshedError", "TerrainError", "Viewshed", "ViewshedOptions", "Wedge", "dem_from_array",
-    "example_terrain", "horizon_profile", "list_photos", "open_dem", "orient", "orient_many", "overlay", "place",
-    "read_metadata", "read_photo", "save_points", "save_report", "save_viewshed", "simulate", "viewshed",
+    "ArrayTerrain", "Cancelled", "DeviceAudit", "FullCircle", "HorizonOptions", "HorizonProfile", "LandmarkHint",
+    "Observer", "OrientOptions", "OrientedPhoto", "Photo", "PhotoError", "PhotoMetadata", "PhotoRequest",
+    "PosedPhoto", "SceneOptions", "SkylineViewshedError", "TerrainError", "Viewshed", "ViewshedOptions", "Wedge",
+    "compass_audit", "dem_from_array", "example_terrain", "horizon_profile", "list_photos", "open_dem", "orient",
+    "orient_many", "overlay", "place", "read_metadata", "read_photo", "save_points", "save_report", "save_viewshed",
+    "simulate", "viewshed",
 ]  # fmt: skip
 
 

@@ -38,18 +38,19 @@ def answers(sets, workers):
     found = []
     for dem, paths in sets:
         photos = sv.orient_many(paths, sv.open_dem(dem), workers=workers)
-        found += [
-            (
-                photo.path,
-                photo.status,
-                photo.heading_deg,
-                photo.orientation.best and photo.orientation.best.pose.pitch_deg,
-            )
-            for photo in photos
-        ]
+        found += [(photo.path, photo.status, *everything(photo.orientation)) for photo in photos]
     after = os.times()
     cpu = sum(after[:4]) - sum(before[:4])
     return found, time.monotonic() - started, cpu
+
+
+def everything(orientation):
+    """Return all numbers of an answer."""
+    poses = tuple(
+        (one.pose.heading_deg, one.pose.pitch_deg, one.pose.roll_deg, one.camera.focal_px, one.score, one.probability)
+        for one in orientation.candidates
+    )
+    return orientation.p_correct, orientation.heading_lo_deg, orientation.heading_hi_deg, poses
 
 
 def main():
@@ -64,7 +65,8 @@ def main():
     worker_mb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
     one, wall_one, cpu_one = answers(sets, 1)
     print(f"{len(one)} photographs, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
-    print(f"status, heading and pitch are the same: {one == several}")
+    differing = [Path(first[0]).name for first, second in zip(one, several) if first != second]
+    print(f"all numbers of {len(one) - len(differing)} answers are the same; they differ for {differing or 'none'}")
     print(
         f"wall: {wall_one:.0f} s with one process, {wall_several:.0f} s with {given.workers}: "
         f"{wall_one / wall_several:.2f} times the throughput"

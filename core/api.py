@@ -478,8 +478,7 @@ def compass_audit(photos: Iterable[OrientedPhoto]) -> list[DeviceAudit]:
 
     Examples
     --------
-    >>> for device in compass_audit(orient_many(["north.jpg"], open_dem("dem.tif"))):
-    ...     print(device.device, device.count, device.bias_deg)
+    >>> devices = compass_audit(orient_many(["north.jpg"], open_dem("dem.tif")))
     """
     return audit(filter(None, map(reading_of, photos)))
 

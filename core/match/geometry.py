@@ -178,9 +178,18 @@ def project_trials(camera, trials, azimuth_deg, elevation_deg):
     trials = np.atleast_2d(trials)
     turn = np.radians(np.subtract(azimuth_deg, trials[:, :1]))
     seen = see(camera, trials, turn, np.tan(np.radians(elevation_deg)))
-    scale = camera.focal_px * np.exp(trials[:, 3:4]) * seen.gain
+    scale = focal_of(camera, trials) * seen.gain
     centre_x, centre_y = camera.centre_px
     return centre_x + scale * seen.x, centre_y - scale * seen.y
+
+
+def focal_of(camera, trials):
+    """Focal length of each trial camera, (K, 1) [pixels].
+
+    The logarithms are copied first: NumPy computes functions such as `exp` with other instructions, and another last
+    digit, if the memory between the values of a view reaches into that of the result, which differs from run to run.
+    """
+    return camera.focal_px * np.exp(np.ascontiguousarray(trials[:, 3:4]))
 
 
 def horizon_rows(curve, camera, trials, columns, derivatives=False):
@@ -207,7 +216,7 @@ def horizon_rows(curve, camera, trials, columns, derivatives=False):
         Change of the row at the fixed column, per unit of each parameter.
     """
     trials = np.atleast_2d(trials)
-    focal = camera.focal_px * np.exp(trials[:, 3:4])
+    focal = focal_of(camera, trials)
     across = (np.asarray(columns, float) - camera.centre_px[0]) / focal
     nominal = 1 + np.square(across)
     turn = np.arctan(across / np.cos(np.radians(trials[:, 1:2])))

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.progress import SILENT, checkpoint
-from .geometry import horizon_rows, project_trials
+from .geometry import focal_of, horizon_rows, project_trials
 from .prior import EFFECTIVE_COLUMNS, RollPrior
 
 LANDMARK_PROBE = np.array([0.05, 0.05, 0.1, 0.002, 0.01])
@@ -120,7 +120,7 @@ class Objective:
 
     def _known_rows(self, trials, row, azimuth, scale):
         nearest = self.curve.nearest(azimuth)
-        px_per_metre = self.camera.focal_px * np.exp(trials[:, 3:4]) / self.curve.distance_m[nearest]
+        px_per_metre = focal_of(self.camera, trials) / self.curve.distance_m[nearest]
         terrain = self.options.terrain_error_cells * self.curve.cell_m * px_per_metre
         clipped = np.where(self.curve.clipped[nearest], CLIPPED_FACTOR, 1.0)
         scaled = np.reshape(scale, (-1, 1)) * clipped * np.hypot(self.options.pixel_error_px, terrain)

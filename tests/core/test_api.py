@@ -8,6 +8,7 @@ import inspect
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -96,6 +97,14 @@ def test_arrays_alone_suffice(mountains, oriented):
     assert seen.seen_cells == seen.visible.sum()
     same = sv.viewshed(mountains, oriented.view)
     np.testing.assert_array_equal(same.values, seen.values)
+
+
+def test_compasses_are_judged_by_the_photographs_that_can_be_relied_on(oriented):
+    metadata = replace(oriented.metadata, camera="Maker 1")
+    heading_deg = oriented.heading_deg
+    photos = [replace(oriented, metadata=metadata, compass_true_deg=heading_deg + error) for error in (2.0, 3.0, 5.0)]
+    (one,) = sv.compass_audit([oriented, *photos])
+    assert (one.device, one.count) == ("Maker 1", 3) and one.bias_deg == pytest.approx(3.0)
 
 
 def test_pixels_are_placed_where_they_were_drawn(mountains, oriented):

@@ -13,6 +13,7 @@ from skyline_viewshed.core.match.prior import camera_prior
 from skyline_viewshed.core.paper.horizon import PaperHorizonOptions
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.skyline.given import evidence_from_line
+from strided import calls_with_gaps, has_gaps
 
 METADATA = PhotoMetadata("a.jpg", 4000, 3000, focal_length_35mm=35.0)
 
@@ -48,6 +49,20 @@ def test_the_paper_s_method_casts_its_own_rays_fifteen_kilometres_far():
 def taken(scene):
     photo = read_photo(str(scene.folder / "west.jpg"))
     return photo, open_dem(str(scene.dem)), Observer(*scene.positions["west"])
+
+
+@pytest.mark.parametrize("method", ["robust", "paper"])
+def test_no_last_digit_depends_on_where_arrays_lie_in_memory(taken, method):
+    photo, dem, observer = taken
+    with calls_with_gaps() as found:
+        orient_photo(photo, dem, Setting(observer, camera_prior(photo.metadata)), OrientOptions(method=method))
+    assert found == set()
+
+
+def test_views_with_gaps_are_told_from_whole_arrays():
+    table = np.ones((6, 5))
+    assert has_gaps(table[:, 3:4]) and has_gaps(table[:, 2]) and has_gaps(table[:, ::2])
+    assert not any(map(has_gaps, (table, table.T, table[:, 1:], table[2], table[:1, 3:4], table[2:])))
 
 
 def test_everything_that_a_report_needs_comes_with_the_answer(scene, taken):
