@@ -34,17 +34,13 @@ class PhotoMetadata:
         Relative standard deviation of the 35 mm equivalent [1].
     orientation : int
         EXIF Orientation 1 to 8, for information only; pixels and sizes here are already upright.
-    compass_heading_deg : float or None
-        GPSImgDirection, or else a drone's yaw, clockwise from the north of `compass_reference` [degrees].
-    compass_reference : str or None
-        'T' for true north, 'M' for magnetic north, None if unknown.
+    compass_heading_deg, compass_reference : float or None, str or None
+        GPSImgDirection, or else a drone's yaw, clockwise [degrees] from 'T', true north, or 'M', magnetic north.
     position_error_m : float or None
     taken_at, utc_offset_s : datetime or None, float or None
         Local time of the camera, and how much it is ahead of UTC [s], as recorded or from the time of the GPS.
-    camera : str or None
-        Maker and model.
-    software : str or None
-        What wrote the file: on phones the version of the system.
+    camera, software : str or None
+        Maker and model; what wrote the file, which on phones is the version of the system.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool

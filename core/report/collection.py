@@ -145,9 +145,9 @@ def navigation(page, more, home, say=str):
     return fill("navigation", links=_links(links))
 
 
-def title_of(page, title, say=str):
-    """Title of a page of cards."""
-    return f"{title}: " + say("photographs {first} to {last}").format(first=page.first, last=page.last)
+def range_of(page, say=str):
+    """Which photographs a page of cards shows, in words."""
+    return say("photographs {first} to {last}").format(first=page.first, last=page.last)
 
 
 def index_body(photos, pages, folder, say=str):

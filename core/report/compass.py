@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..figures.compass import MOST_DEVICES, compass_svg
 from ..figures.text import degrees
 from .audit import WORTHLESS_DEG, audit
 from .facts import percent
 from .overview import number_cell, sort_key
 from .pieces import Html, fill, joined
+from .readings import MOST_DEVICES, compass_svg
 
 LEAST_READINGS = 3
 """A collection with fewer readings has no audit."""

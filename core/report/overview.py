@@ -64,7 +64,16 @@ def bar(summaries, say=str):
 
 
 def overview_table(summaries, say=str, first=1):
-    """The table of photographs, in the order of the run; `first` is the number of the first one."""
+    """The table of photographs, in the order of the run.
+
+    Parameters
+    ----------
+    summaries : sequence of Summary
+    say : callable
+        Translates the fixed English words; see `core.figures.text`.
+    first : int
+        Number of the first photograph.
+    """
     heads = [fill("number_head" if numeric else "text_head", words=name) for name, numeric in columns(say)]
     heads[0] = fill("status_head", words=columns(say)[0][0])
     rows = joined(_row(number, summary, say) for number, summary in enumerate(summaries, first))

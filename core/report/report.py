@@ -6,7 +6,7 @@ from ..base.status import STATUSES
 from ..figures.stations import Station, stations_svg
 from .audit import reading_of
 from .card import origin_words, photo_card
-from .collection import CardPages, index_body, navigation, picture_file, thumbnail_of, title_of
+from .collection import CardPages, index_body, navigation, picture_file, range_of, thumbnail_of
 from .compass import compass_panel
 from .facts import status_word, summarise
 from .overview import bar, overview_table, switches
@@ -70,7 +70,7 @@ class ReportWriter(PageWriter):
             say, summaries = self._say, self._summaries()[page.first - 1 : page.last]
             links = navigation(page, self._pages.more, self._document.home, say)
             table = overview_table(summaries, say, page.first)
-            title = title_of(page, self._title, say)
+            title = f"{self._title}: {range_of(page, say)}"
             frame = Frame(switches(), bar(summaries, say), joined([links, table]), links, title)
             head, tail = self._around(frame, self._counts(summaries))
             cards = self._document.cut(page.last - page.first + 1)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .svg import Scale, element, figure, line, text
-from .text import degrees
+from ..figures.svg import Scale, element, figure, line, text
+from ..figures.text import degrees
 
 NEAR_DEG = 45.0
 """Differences beyond this are marks at the edge of the left panel; the right one shows the whole circle."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from skyline_viewshed.core.figures.compass import compass_svg
+from skyline_viewshed.core.report.readings import compass_svg
 
 
 def test_every_reading_with_a_time_is_a_dot_and_far_ones_lie_at_the_edge():
