@@ -1815,6 +1815,7 @@
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/compass.py"/>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
@@ -3457,8 +3458,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat für jedes Foto oder jeden Punkt.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point. From 201 photos on, the file is an index with a map, filters and thumbnails, and the cards are pages in a folder beside it.</source>
+        <translation>Eine in sich geschlossene HTML-Datei mit Abbildungen, Zahlen und Rat für jedes Foto oder jeden Punkt. Ab 201 Fotos ist die Datei ein Verzeichnis mit Karte, Filtern und Vorschaubildern, und die Fotokarten sind Seiten in einem Ordner daneben.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
@@ -5929,6 +5930,7 @@
     </message>
     <message>
         <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/collection.py"/>
         <location filename="../core/report/report.py"/>
         <source>Camera positions and headings</source>
         <translation>Standorte und Blickrichtungen der Kamera</translation>
@@ -6230,6 +6232,18 @@
         <translation>Das DGM {path} ist beschädigt ({reason}). Kopieren Sie es neu.</translation>
     </message>
     <message>
+        <location filename="../core/io/report_file.py"/>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>den Ordner {folder} gibt es nicht</translation>
+    </message>
+    <message>
+        <location filename="../core/io/report_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Der Bericht {path} kann nicht geschrieben werden: {reason}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
         <location filename="../core/io/tiff_pages.py"/>
         <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
         <translation>Die Datei ist eine Rohdatei einer Kamera, die zuerst als JPEG exportiert werden muss.</translation>
@@ -6238,17 +6252,6 @@
         <location filename="../core/io/tiff_pages.py"/>
         <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
         <translation>Ihre erste Seite mit {width} x {height} Pixeln ist ein Vorschaubild eines größeren Bildes. Exportieren Sie dieses als JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <location filename="../core/io/write_raster.py"/>
-        <source>the folder {folder} does not exist</source>
-        <translation>den Ordner {folder} gibt es nicht</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
-        <translation>Der Bericht {path} kann nicht geschrieben werden: {reason}. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -6549,6 +6552,112 @@
         <translation>Alle Zahlen</translation>
     </message>
     <message>
+        <location filename="../core/report/collection.py"/>
+        <source>All photographs</source>
+        <translation>Alle Fotos</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Previous page</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>photographs {first} to {last}</source>
+        <translation>Fotos {first} bis {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>whole map</source>
+        <translation>ganze Karte</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>only this section of the map</source>
+        <translation>nur dieser Kartenausschnitt</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Search names, cameras, dates and reasons</source>
+        <translation>Namen, Kameras, Daten und Gründe durchsuchen</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Pages of cards</source>
+        <translation>Seiten mit Fotokarten</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{count} of {all} photographs</source>
+        <translation>{count} von {all} Fotos</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{first} to {last}</source>
+        <translation>{first} bis {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Recorded heading minus heading found, of accepted and confirmed photographs. Bias is the median with its 90 % interval, spread is robust; both leave out readings farther than {limit} from the others.</source>
+        <translation>Aufgezeichnete minus gefundene Blickrichtung der angenommenen und bestätigten Fotos. Die systematische Abweichung ist der Median mit seinem 90-%-Intervall, die Streuung ist robust; beide lassen Ablesungen weg, die mehr als {limit} von den übrigen abweichen.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Compasses</source>
+        <translation>Kompasse</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Ablesungen</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Bias</source>
+        <translation>Systematische Abweichung</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Off by more than 30°</source>
+        <translation>Mehr als 30° daneben</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Near +90°, −90°, 180°</source>
+        <translation>Nahe +90°, −90°, 180°</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Drift per hour</source>
+        <translation>Änderung je Stunde</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>(turned)</source>
+        <translation>(verdreht)</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} bis {high}</translation>
+    </message>
+    <message>
         <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>gescheitert</translation>
@@ -6587,11 +6696,6 @@
         <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Datei</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>{low} to {high}</source>
-        <translation>{low} bis {high}</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -6931,13 +7035,33 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>The cards are in the folder {folder} beside this page: keep both together. They load nothing from the network.</source>
+        <translation>Die Fotokarten liegen im Ordner {folder} neben dieser Seite: Lassen Sie beide zusammen. Aus dem Netz wird nichts geladen.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
         <translation>Diese Seite ist in sich geschlossen und lädt nichts aus dem Netz. Tasten: j für das nächste Foto, k für das vorige.</translation>
     </message>
     <message>
-        <location filename="../core/report/report.py"/>
-        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
-        <translation>{count} Fotos erscheinen ohne Abbildungen, damit diese Seite benutzbar bleibt. Ein Bericht enthält Abbildungen für höchstens {most} Fotos und für höchstens {accepted} angenommene. Verarbeiten Sie kleinere Gruppen, um für alle Fotos Abbildungen zu erhalten.</translation>
+        <location filename="../core/report/readings.py"/>
+        <source>Compass minus heading found</source>
+        <translation>Kompass minus gefundene Blickrichtung</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>{count} readings, median difference {median}.</source>
+        <translation>{count} Ablesungen, Median der Abweichungen {median}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>hour of the day, camera's clock</source>
+        <translation>Tageszeit in Stunden, Uhr der Kamera</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>most in one bar: {count}</source>
+        <translation>höchster Balken: {count}</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>

@@ -1815,6 +1815,7 @@
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/compass.py"/>
         <source>unknown</source>
         <translation>desconocido</translation>
     </message>
@@ -3457,8 +3458,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Un archivo HTML autónomo con figuras, números y consejos para cada foto o punto.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point. From 201 photos on, the file is an index with a map, filters and thumbnails, and the cards are pages in a folder beside it.</source>
+        <translation>Un archivo HTML autónomo con figuras, números y consejos para cada foto o punto. A partir de 201 fotos, el archivo es un índice con mapa, filtros y miniaturas, y las fichas son páginas en una carpeta junto a él.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
@@ -5929,6 +5930,7 @@
     </message>
     <message>
         <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/collection.py"/>
         <location filename="../core/report/report.py"/>
         <source>Camera positions and headings</source>
         <translation>Posiciones y rumbos de la cámara</translation>
@@ -6230,6 +6232,18 @@
         <translation>El MDE {path} está dañado ({reason}). Cópielo de nuevo.</translation>
     </message>
     <message>
+        <location filename="../core/io/report_file.py"/>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>la carpeta {folder} no existe</translation>
+    </message>
+    <message>
+        <location filename="../core/io/report_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>No se puede escribir el informe {path}: {reason}. Elija otra carpeta o libere espacio.</translation>
+    </message>
+    <message>
         <location filename="../core/io/tiff_pages.py"/>
         <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
         <translation>es un archivo en bruto (RAW) de una cámara, que antes debe exportarse como JPEG.</translation>
@@ -6238,17 +6252,6 @@
         <location filename="../core/io/tiff_pages.py"/>
         <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
         <translation>su primera página de {width} x {height} píxeles es una miniatura de una imagen mayor. Expórtela como JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <location filename="../core/io/write_raster.py"/>
-        <source>the folder {folder} does not exist</source>
-        <translation>la carpeta {folder} no existe</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
-        <translation>No se puede escribir el informe {path}: {reason}. Elija otra carpeta o libere espacio.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -6549,6 +6552,112 @@
         <translation>Todos los números</translation>
     </message>
     <message>
+        <location filename="../core/report/collection.py"/>
+        <source>All photographs</source>
+        <translation>Todas las fotografías</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Previous page</source>
+        <translation>Página anterior</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Next page</source>
+        <translation>Página siguiente</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>photographs {first} to {last}</source>
+        <translation>fotografías {first} a {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>whole map</source>
+        <translation>mapa entero</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>only this section of the map</source>
+        <translation>solo esta parte del mapa</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Search names, cameras, dates and reasons</source>
+        <translation>Buscar nombres, cámaras, fechas y motivos</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Pages of cards</source>
+        <translation>Páginas de fichas</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{count} of {all} photographs</source>
+        <translation>{count} de {all} fotografías</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{first} to {last}</source>
+        <translation>{first} a {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Recorded heading minus heading found, of accepted and confirmed photographs. Bias is the median with its 90 % interval, spread is robust; both leave out readings farther than {limit} from the others.</source>
+        <translation>Rumbo registrado menos rumbo hallado de las fotografías aceptadas y confirmadas. El sesgo es la mediana con su intervalo del 90 %, la dispersión es robusta; ambos omiten las lecturas que se apartan más de {limit} de las demás.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Device</source>
+        <translation>Dispositivo</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Compasses</source>
+        <translation>Brújulas</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Lecturas</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Bias</source>
+        <translation>Sesgo</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Spread</source>
+        <translation>Dispersión</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Off by more than 30°</source>
+        <translation>Desviadas más de 30°</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Near +90°, −90°, 180°</source>
+        <translation>Cerca de +90°, −90°, 180°</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Drift per hour</source>
+        <translation>Deriva por hora</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>(turned)</source>
+        <translation>(girada)</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} a {high}</translation>
+    </message>
+    <message>
         <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>fallida</translation>
@@ -6587,11 +6696,6 @@
         <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Archivo</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>{low} to {high}</source>
-        <translation>{low} a {high}</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -6931,13 +7035,33 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>The cards are in the folder {folder} beside this page: keep both together. They load nothing from the network.</source>
+        <translation>Las fichas están en la carpeta {folder}, junto a esta página: mantenga ambas juntas. No cargan nada de la red.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
         <translation>Esta página es autónoma y no carga nada de la red. Teclas: j para la foto siguiente, k para la anterior.</translation>
     </message>
     <message>
-        <location filename="../core/report/report.py"/>
-        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
-        <translation>{count} fotografías aparecen sin figuras, para que esta página siga siendo manejable. Un informe contiene figuras de {most} fotografías como máximo, y de {accepted} aceptadas como máximo. Procese grupos más pequeños para obtener las figuras de todas.</translation>
+        <location filename="../core/report/readings.py"/>
+        <source>Compass minus heading found</source>
+        <translation>Brújula menos rumbo hallado</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>{count} readings, median difference {median}.</source>
+        <translation>{count} lecturas, diferencia mediana {median}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>hour of the day, camera's clock</source>
+        <translation>hora del día, reloj de la cámara</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>most in one bar: {count}</source>
+        <translation>barra más alta: {count}</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>

@@ -1815,6 +1815,7 @@
     <message>
         <location filename="../algorithms/merge_oriented.py"/>
         <location filename="../algorithms/shared/legends.py"/>
+        <location filename="../core/report/compass.py"/>
         <source>unknown</source>
         <translation>inconnu</translation>
     </message>
@@ -3457,8 +3458,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>One self-contained HTML file with figures, numbers and advice for each photo or point.</source>
-        <translation>Un fichier HTML autonome avec figures, chiffres et conseils pour chaque photo ou point.</translation>
+        <source>One self-contained HTML file with figures, numbers and advice for each photo or point. From 201 photos on, the file is an index with a map, filters and thumbnails, and the cards are pages in a folder beside it.</source>
+        <translation>Un fichier HTML autonome avec figures, chiffres et conseils pour chaque photo ou point. À partir de 201 photos, le fichier est un index avec carte, filtres et vignettes, et les fiches sont des pages dans un dossier à côté.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/photo_attributes.py"/>
@@ -5929,6 +5930,7 @@
     </message>
     <message>
         <location filename="../core/figures/stations.py"/>
+        <location filename="../core/report/collection.py"/>
         <location filename="../core/report/report.py"/>
         <source>Camera positions and headings</source>
         <translation>Positions et azimuts de l'appareil</translation>
@@ -6230,6 +6232,18 @@
         <translation>Le MNT {path} est endommagé ({reason}). Copiez-le à nouveau.</translation>
     </message>
     <message>
+        <location filename="../core/io/report_file.py"/>
+        <location filename="../core/io/whole_file.py"/>
+        <location filename="../core/io/write_raster.py"/>
+        <source>the folder {folder} does not exist</source>
+        <translation>le dossier {folder} n'existe pas</translation>
+    </message>
+    <message>
+        <location filename="../core/io/report_file.py"/>
+        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
+        <translation>Le rapport {path} ne peut pas être écrit : {reason}. Choisissez un autre dossier ou libérez de l'espace.</translation>
+    </message>
+    <message>
         <location filename="../core/io/tiff_pages.py"/>
         <source>it is a raw file of a camera, which must be exported as JPEG first.</source>
         <translation>c'est un fichier brut (RAW) d'appareil photo, qui doit d'abord être exporté en JPEG.</translation>
@@ -6238,17 +6252,6 @@
         <location filename="../core/io/tiff_pages.py"/>
         <source>its first page of {width} x {height} pixels is a thumbnail of a larger picture. Export that as JPEG.</source>
         <translation>sa première page de {width} x {height} pixels est une vignette d'une image plus grande. Exportez celle-ci en JPEG.</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <location filename="../core/io/write_raster.py"/>
-        <source>the folder {folder} does not exist</source>
-        <translation>le dossier {folder} n'existe pas</translation>
-    </message>
-    <message>
-        <location filename="../core/io/whole_file.py"/>
-        <source>The report {path} cannot be written: {reason}. Choose another folder or free some space.</source>
-        <translation>Le rapport {path} ne peut pas être écrit : {reason}. Choisissez un autre dossier ou libérez de l'espace.</translation>
     </message>
     <message>
         <location filename="../core/io/write_photo.py"/>
@@ -6549,6 +6552,112 @@
         <translation>Tous les chiffres</translation>
     </message>
     <message>
+        <location filename="../core/report/collection.py"/>
+        <source>All photographs</source>
+        <translation>Toutes les photos</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Previous page</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Next page</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>photographs {first} to {last}</source>
+        <translation>photos {first} à {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>whole map</source>
+        <translation>carte entière</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>only this section of the map</source>
+        <translation>cette partie de la carte seulement</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Search names, cameras, dates and reasons</source>
+        <translation>Chercher noms, appareils, dates et raisons</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>Pages of cards</source>
+        <translation>Pages de fiches</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{count} of {all} photographs</source>
+        <translation>{count} photos sur {all}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/collection.py"/>
+        <source>{first} to {last}</source>
+        <translation>{first} à {last}</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Recorded heading minus heading found, of accepted and confirmed photographs. Bias is the median with its 90 % interval, spread is robust; both leave out readings farther than {limit} from the others.</source>
+        <translation>Azimut enregistré moins azimut trouvé des photos acceptées et confirmées. Le biais est la médiane avec son intervalle à 90 %, la dispersion est robuste ; les deux omettent les lectures qui s’écartent de plus de {limit} des autres.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Compasses</source>
+        <translation>Boussoles</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Lectures</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Bias</source>
+        <translation>Biais</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Spread</source>
+        <translation>Dispersion</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Off by more than 30°</source>
+        <translation>Écart de plus de 30°</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Near +90°, −90°, 180°</source>
+        <translation>Près de +90°, −90°, 180°</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>Drift per hour</source>
+        <translation>Dérive par heure</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <source>(turned)</source>
+        <translation>(tournée)</translation>
+    </message>
+    <message>
+        <location filename="../core/report/compass.py"/>
+        <location filename="../core/report/facts.py"/>
+        <source>{low} to {high}</source>
+        <translation>{low} à {high}</translation>
+    </message>
+    <message>
         <location filename="../core/report/facts.py"/>
         <source>failed</source>
         <translation>en échec</translation>
@@ -6587,11 +6696,6 @@
         <location filename="../core/report/facts.py"/>
         <source>File</source>
         <translation>Fichier</translation>
-    </message>
-    <message>
-        <location filename="../core/report/facts.py"/>
-        <source>{low} to {high}</source>
-        <translation>{low} à {high}</translation>
     </message>
     <message>
         <location filename="../core/report/facts.py"/>
@@ -6931,13 +7035,33 @@
     </message>
     <message>
         <location filename="../core/report/page.py"/>
+        <source>The cards are in the folder {folder} beside this page: keep both together. They load nothing from the network.</source>
+        <translation>Les fiches se trouvent dans le dossier {folder} à côté de cette page : gardez les deux ensemble. Rien n’est chargé depuis le réseau.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/page.py"/>
         <source>This page is self-contained and loads nothing from the network. Keys: j for the next photo, k for the previous one.</source>
         <translation>Cette page est autonome et ne charge rien depuis le réseau. Touches : j pour la photo suivante, k pour la précédente.</translation>
     </message>
     <message>
-        <location filename="../core/report/report.py"/>
-        <source>{count} photographs are shown without figures, to keep this page usable. A report has figures for at most {most} photographs, and for at most {accepted} accepted ones. Run smaller groups to get figures for all of them.</source>
-        <translation>{count} photos apparaissent sans figures, pour que cette page reste utilisable. Un rapport contient des figures pour {most} photos au plus, et pour {accepted} photos acceptées au plus. Traitez des groupes plus petits pour obtenir les figures de toutes.</translation>
+        <location filename="../core/report/readings.py"/>
+        <source>Compass minus heading found</source>
+        <translation>Boussole moins azimut trouvé</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>{count} readings, median difference {median}.</source>
+        <translation>{count} lectures, écart médian {median}.</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>hour of the day, camera's clock</source>
+        <translation>heure du jour, horloge de l’appareil</translation>
+    </message>
+    <message>
+        <location filename="../core/report/readings.py"/>
+        <source>most in one bar: {count}</source>
+        <translation>barre la plus haute : {count}</translation>
     </message>
     <message>
         <location filename="../core/skyline/evidence.py"/>

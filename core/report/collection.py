@@ -182,6 +182,8 @@ def index_body(photos, pages, folder, say=str):
         map=say("Camera positions and headings"),
         whole=say("whole map"),
         here=say("only this section of the map"),
+        previous=say("Previous page"),
+        next=say("Next page"),
         search=say("Search names, cameras, dates and reasons"),
         pages=fill("panel", title=say("Pages of cards"), body=fill("navigation", links=_links(links))),
         data=_data(photos, pages, quote(folder), say),
