@@ -6,6 +6,7 @@ from qgis.core import QgsProcessingOutputNumber
 
 from .base import DemAlgorithm
 from .shared import parameters as shared
+from .shared.compass_audit import CompassReadings, add_compass_audit
 from .shared.elevation import dem_fault
 from .shared.i18n import tr
 from .shared.kept_orientations import orientations_out
@@ -96,6 +97,7 @@ class OrientPhotos(DemAlgorithm):
         add_workers_parameter(self)
         self.addParameter(oriented_out())
         self.addParameter(shared.report_out())
+        add_compass_audit(self)
         self.addParameter(orientations_out())
         self.addOutput(QgsProcessingOutputNumber("COUNT", tr("Number of photos")))
         self.addOutput(QgsProcessingOutputNumber("ACCEPTED", tr("Number of accepted photos")))
@@ -113,7 +115,7 @@ class OrientPhotos(DemAlgorithm):
         fields, kept = oriented_fields(source)
         rehearse(self, parameters, "OUTPUT", context, (fields, source.wkbType(), source.sourceCrs()))
         placing = Placing(source.wkbType(), source.sourceCrs(), context)
-        features, statuses = [], []
+        features, statuses, compasses = [], [], CompassReadings()
         workers = self.parameterAsInt(parameters, "WORKERS", context)
         joint = self.parameterAsBoolean(parameters, "JOINT", context)
         folder = self.parameterAsString(parameters, "ORIENTATIONS", context)
@@ -127,12 +129,14 @@ class OrientPhotos(DemAlgorithm):
                 features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)
                 report.add(oriented)
+                compasses.add(oriented)
                 previews.add(row.path, oriented.preview)
             feedback.pushInfo(summary(statuses))
             fields, features = previews.column(fields, features)
             kind = source.wkbType(), source.sourceCrs()
             output = write_features(self, parameters, "OUTPUT", context, fields, *kind, features, style="oriented")
+            audit = compasses.write(self, parameters, context)
         specs = oriented_specs() + preview_specs()
         style_on_completion(context, output, "oriented", tr("Oriented photos"), specs, self.displayName())
         results = {"OUTPUT": output, "COUNT": len(statuses), "ACCEPTED": statuses.count("accepted")}
-        return {**results, **report.outputs(), **({"ORIENTATIONS": folder} if folder else {})}
+        return {**results, **audit, **report.outputs(), **({"ORIENTATIONS": folder} if folder else {})}

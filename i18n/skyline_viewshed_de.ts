@@ -2590,6 +2590,87 @@
         <translation>Herkunft der Position, oder warum es keine gibt</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>One row per device, from accepted and confirmed photos: bias of the compass with its 90 % interval, spread, worthless and turned readings, and drift over the day.</source>
+        <translation>Eine Zeile je Gerät aus angenommenen und bestätigten Fotos: systematische Abweichung des Kompasses mit ihrem 90-%-Intervall, Streuung, wertlose und verdrehte Ablesungen und Änderung im Lauf des Tages.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Compass audit</source>
+        <translation>Kompassprüfung</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Maker, model and software</source>
+        <translation>Hersteller, Modell und Software</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Ablesungen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Recorded minus found heading, median (°)</source>
+        <translation>Aufgezeichnete minus gefundene Blickrichtung, Median (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the bias, 90 % (°)</source>
+        <translation>Untere Grenze der Abweichung, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the bias, 90 % (°)</source>
+        <translation>Obere Grenze der Abweichung, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Robust standard deviation (°)</source>
+        <translation>Robuste Standardabweichung (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings off by more than 30°</source>
+        <translation>Ablesungen, die um mehr als 30° danebenliegen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 90°</source>
+        <translation>Ablesungen nahe Abweichung + 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias − 90°</source>
+        <translation>Ablesungen nahe Abweichung − 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 180°</source>
+        <translation>Ablesungen nahe Abweichung + 180°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Too many of these for chance</source>
+        <translation>Davon zu viele für einen Zufall</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Change of the bias during a day (° per hour)</source>
+        <translation>Änderung der Abweichung im Lauf eines Tages (° je Stunde)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the change, 90 % (° per hour)</source>
+        <translation>Untere Grenze der Änderung, 90 % (° je Stunde)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the change, 90 % (° per hour)</source>
+        <translation>Obere Grenze der Änderung, 90 % (° je Stunde)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -6615,11 +6696,6 @@
         <location filename="../core/report/compass.py"/>
         <source>Compasses</source>
         <translation>Kompasse</translation>
-    </message>
-    <message>
-        <location filename="../core/report/compass.py"/>
-        <source>Readings</source>
-        <translation>Ablesungen</translation>
     </message>
     <message>
         <location filename="../core/report/compass.py"/>

@@ -2590,6 +2590,87 @@
         <translation>De dónde procede la posición, o por qué no la hay</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>One row per device, from accepted and confirmed photos: bias of the compass with its 90 % interval, spread, worthless and turned readings, and drift over the day.</source>
+        <translation>Una fila por dispositivo, de las fotos aceptadas y confirmadas: sesgo de la brújula con su intervalo del 90 %, dispersión, lecturas inservibles y giradas, y deriva a lo largo del día.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Compass audit</source>
+        <translation>Auditoría de brújulas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Maker, model and software</source>
+        <translation>Fabricante, modelo y software</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Lecturas</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Recorded minus found heading, median (°)</source>
+        <translation>Rumbo registrado menos rumbo hallado, mediana (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the bias, 90 % (°)</source>
+        <translation>Límite inferior del sesgo, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the bias, 90 % (°)</source>
+        <translation>Límite superior del sesgo, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Robust standard deviation (°)</source>
+        <translation>Desviación típica robusta (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings off by more than 30°</source>
+        <translation>Lecturas desviadas más de 30°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 90°</source>
+        <translation>Lecturas cerca del sesgo + 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias − 90°</source>
+        <translation>Lecturas cerca del sesgo − 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 180°</source>
+        <translation>Lecturas cerca del sesgo + 180°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Too many of these for chance</source>
+        <translation>Demasiadas de estas para ser casualidad</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Change of the bias during a day (° per hour)</source>
+        <translation>Cambio del sesgo durante un día (° por hora)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the change, 90 % (° per hour)</source>
+        <translation>Límite inferior del cambio, 90 % (° por hora)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the change, 90 % (° per hour)</source>
+        <translation>Límite superior del cambio, 90 % (° por hora)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -6615,11 +6696,6 @@
         <location filename="../core/report/compass.py"/>
         <source>Compasses</source>
         <translation>Brújulas</translation>
-    </message>
-    <message>
-        <location filename="../core/report/compass.py"/>
-        <source>Readings</source>
-        <translation>Lecturas</translation>
     </message>
     <message>
         <location filename="../core/report/compass.py"/>

@@ -2590,6 +2590,87 @@
         <translation>Provenance de la position, ou raison de son absence</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>One row per device, from accepted and confirmed photos: bias of the compass with its 90 % interval, spread, worthless and turned readings, and drift over the day.</source>
+        <translation>Une ligne par appareil, d’après les photos acceptées et confirmées : biais de la boussole avec son intervalle à 90 %, dispersion, lectures sans valeur ou tournées, et dérive au cours de la journée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Compass audit</source>
+        <translation>Audit des boussoles</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Maker, model and software</source>
+        <translation>Fabricant, modèle et logiciel</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <location filename="../core/report/compass.py"/>
+        <source>Readings</source>
+        <translation>Lectures</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Recorded minus found heading, median (°)</source>
+        <translation>Azimut enregistré moins azimut trouvé, médiane (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the bias, 90 % (°)</source>
+        <translation>Limite inférieure du biais, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the bias, 90 % (°)</source>
+        <translation>Limite supérieure du biais, 90 % (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Robust standard deviation (°)</source>
+        <translation>Écart-type robuste (°)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings off by more than 30°</source>
+        <translation>Lectures à plus de 30° d’écart</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 90°</source>
+        <translation>Lectures proches du biais + 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias − 90°</source>
+        <translation>Lectures proches du biais − 90°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Readings near bias + 180°</source>
+        <translation>Lectures proches du biais + 180°</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Too many of these for chance</source>
+        <translation>Trop nombreuses pour être dues au hasard</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Change of the bias during a day (° per hour)</source>
+        <translation>Variation du biais au cours d’une journée (° par heure)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Lower limit of the change, 90 % (° per hour)</source>
+        <translation>Limite inférieure de la variation, 90 % (° par heure)</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_audit.py"/>
+        <source>Upper limit of the change, 90 % (° per hour)</source>
+        <translation>Limite supérieure de la variation, 90 % (° par heure)</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -6615,11 +6696,6 @@
         <location filename="../core/report/compass.py"/>
         <source>Compasses</source>
         <translation>Boussoles</translation>
-    </message>
-    <message>
-        <location filename="../core/report/compass.py"/>
-        <source>Readings</source>
-        <translation>Lectures</translation>
     </message>
     <message>
         <location filename="../core/report/compass.py"/>
