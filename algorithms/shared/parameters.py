@@ -280,7 +280,8 @@ def report_out(name="REPORT", create=True):
         parameter,
         tr(
             "One self-contained HTML file with figures, numbers and advice for each photo or point. From 201 photos "
-            "on, the file is an index with a map, filters and thumbnails, and the cards are pages in a folder beside it."
+            "on, the file is an index with a map, filters and thumbnails, and the cards are pages in a folder "
+            "beside it."
         ),
     )
 
