@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from qgis.core import NULL
 from skyline_viewshed.algorithms.shared.compass_audit import compass_audit_specs, values_of
 from skyline_viewshed.core.report.audit import DeviceAudit
@@ -32,8 +31,8 @@ def test_a_run_writes_the_readings_of_its_reliable_photographs(run, scene, tmp_p
     assert "COMPASS_AUDIT" not in run("orientphotos", {**given, "COMPASS_AUDIT": None, "MAX_DISTANCE": 5000})[0]
 
 
-@pytest.mark.parametrize("name", ["COMPASS_AUDIT"])
-def test_the_table_is_optional_and_advanced(algorithm, name):
-    definition = algorithm("orientphotos").parameterDefinition(name)
+def test_the_table_is_optional_and_advanced(algorithm):
+    it = algorithm("orientphotos")
+    definition = it.parameterDefinition("COMPASS_AUDIT")
     assert definition.flags() & definition.FlagOptional and definition.flags() & definition.FlagAdvanced
     assert not definition.createByDefault()
