@@ -7,10 +7,14 @@ import re
 import secrets
 import shutil
 import tempfile
+import time
 from contextlib import suppress
 
 from ..base.errors import OutputError
 from ..base.messages import Message
+
+ABANDONED_S = 24 * 3600.0
+"""Age of the hidden folder of a report of the same name after which the run that wrote it must have been killed."""
 
 _OURS = re.compile(r"cards-[0-9a-f]{12}")
 """Names of the folders that hold the pages of a report; nothing else in its folder is ever removed."""
@@ -42,7 +46,7 @@ class ReportFile:
         self.path = os.fspath(path)
         self._folder = os.path.dirname(self.path) or "."
         self._token, self._lengths, self._start = secrets.token_hex(6), [], 0
-        self._stage = os.path.join(self._folder, f".skyline-{self._token}")
+        self._stage = os.path.join(self._folder, f".skyline-{self._files()}-{self._token}")
         try:
             self._body = tempfile.TemporaryFile(dir=self._folder, prefix=".skyline-")  # noqa: SIM115 - until the end
         except OSError as error:
@@ -132,12 +136,16 @@ class ReportFile:
 
     def _remove_older_pages(self):
         """Remove the pages of reports that this one replaced; what cannot be removed now, the next report removes."""
-        files = os.path.join(self._folder, self._files())
-        with suppress(OSError):
-            for name in os.listdir(files):
-                if _OURS.fullmatch(name) and name != f"cards-{self._token}":
-                    shutil.rmtree(os.path.join(files, name), ignore_errors=True)
-            os.rmdir(files)  # fails if it still holds anything
+        files, hidden = os.path.join(self._folder, self._files()), f".skyline-{self._files()}-"
+        for name in _names(self._folder):
+            stage, token = os.path.join(self._folder, name), name[len(hidden) :]
+            if name.startswith(hidden) and _OURS.fullmatch(f"cards-{token}") and _age_s(stage) > ABANDONED_S:
+                shutil.rmtree(stage, ignore_errors=True)
+        for name in _names(files):
+            if _OURS.fullmatch(name) and name != f"cards-{self._token}":
+                shutil.rmtree(os.path.join(files, name), ignore_errors=True)
+        with suppress(OSError):  # fails if there is no such folder, or it still holds anything
+            os.rmdir(files)
 
     def _output_error(self, error):
         reason = error.strerror or str(error)
@@ -150,3 +158,17 @@ class ReportFile:
                 reason=reason,
             )
         )
+
+
+def _names(folder):
+    try:
+        return os.listdir(folder)
+    except OSError:
+        return []
+
+
+def _age_s(path):
+    try:
+        return time.time() - os.stat(path).st_mtime
+    except OSError:
+        return 0.0

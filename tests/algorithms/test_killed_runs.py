@@ -121,8 +121,10 @@ for _ in range(times):
         write_features(algorithm, given, "OUTPUT", context, fields, QgsWkbTypes.Type.Point, crs, features)
     write_dem(str(folder / "dem.tif"), np.arange(rows, dtype=float).reshape(-1, 100), 30.0, 8.0, 46.0)
     report = ReportFile(folder / "report.html")
+    report.write("page")
+    report.add("page-0001.html", report.cut(1))
     report.write("line\\n" * rows)
-    report.finish("<html>", "</html>")
+    report.finish(f"<html>{report.folder} ", "</html>")
     write_whole(folder / "picture.svg", "<svg>" + "line\\n" * rows + "</svg>")
 print("done", flush=True)
 """
@@ -150,6 +152,9 @@ def assert_all_present_files_are_whole(folder):
     for name in names & {"report.html", "picture.svg"}:
         text = (folder / name).read_text(encoding="utf-8")
         assert text.count("line\n") == ROWS and text.endswith((f"</{name[-4:]}>", f"</{name[-3:]}>")), name
+    if "report.html" in names:
+        pages = folder / (folder / "report.html").read_text(encoding="utf-8")[len("<html>") :].split(" ")[0]
+        assert (pages / "page-0001.html").read_text() == "page"
     return names
 
 

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from random import Random
 
 import pytest
 from skyline_viewshed.core.base.errors import OutputError
@@ -142,3 +147,44 @@ def test_wherever_publishing_fails_the_older_report_and_its_pages_stay(tmp_path,
 def test_a_report_that_was_given_up_leaves_no_pages(tmp_path):
     report_with_page(tmp_path / "run.html").discard()
     assert os.listdir(tmp_path) == []
+
+
+def test_pages_of_a_killed_run_are_removed_a_day_later(tmp_path):
+    for name in ("run.html", "other.html"):
+        report_with_page(tmp_path / name)._body.close()  # neither finished nor discarded, as after a kill
+    stages = {path.name.split("-")[1]: path for path in tmp_path.iterdir()}
+    report_with_page(tmp_path / "run.html").finish("", "")
+    assert all(stage.exists() for stage in stages.values()), "another run may still write them"
+    for stage in stages.values():
+        os.utime(stage, (0, 0))
+    report_with_page(tmp_path / "run.html").finish("", "")
+    assert not stages["run_files"].exists() and stages["other_files"].exists()
+
+
+WRITER = """
+import itertools, sys
+from skyline_viewshed.core.io.report_file import ReportFile
+for number in itertools.count():
+    report = ReportFile(sys.argv[1])
+    for page in range(20):
+        report.write(str(number) * 10_000)
+        report.add(f"page-{page:04d}.html", report.cut(1))
+    report.finish(f"{report.folder} {number}", "</html>")
+    print(flush=True)
+"""
+
+
+def test_a_report_and_its_pages_belong_together_whenever_the_writer_is_killed(tmp_path):
+    path, random = tmp_path / "run.html", Random(5)
+    environment = dict(os.environ, PYTHONPATH=str(Path(__file__).resolve().parents[3] / "build" / "plugins"))
+    for _ in range(10):
+        process = subprocess.Popen([sys.executable, "-c", WRITER, str(path)], env=environment, stdout=subprocess.PIPE)
+        process.stdout.readline()
+        time.sleep(random.uniform(0.0, 0.1))
+        process.kill()
+        process.communicate(timeout=60)
+        folder, number = path.read_text()[: -len("</html>")].split(" ")
+        pages = [page.read_text() for page in (tmp_path / folder).iterdir()]
+        assert pages == [number * 10_000] * 20
+    ReportFile(path).finish("", "")
+    assert [file.name for file in tmp_path.iterdir() if not file.name.startswith(".")] == ["run.html"]
