@@ -127,9 +127,21 @@ def _of_device(device, readings):
     low, high = median_interval(rest)
     spread = 1.4826 * float(np.median(np.abs(rest)))
     turned, fault = _turned(wrap_180(difference - bias), spread)
-    slopes = drift([readings[k].taken_at for k in np.flatnonzero(core)], away[core])
-    near = [None if value is None else float(wrap_180(bias + value)) for value in (0.0, low, high)]
-    return DeviceAudit(device, len(readings), *near, spread, worthless, turned, fault, *slopes)
+    slope, slope_lo, slope_hi = drift([readings[k].taken_at for k in np.flatnonzero(core)], away[core])
+    return DeviceAudit(
+        device,
+        len(readings),
+        bias_deg=float(wrap_180(bias)),
+        bias_lo_deg=None if low is None else float(wrap_180(bias + low)),
+        bias_hi_deg=None if high is None else float(wrap_180(bias + high)),
+        spread_deg=spread,
+        worthless=worthless,
+        turned=turned,
+        turned_fault=fault,
+        drift_deg_per_h=slope,
+        drift_lo_deg_per_h=slope_lo,
+        drift_hi_deg_per_h=slope_hi,
+    )
 
 
 def circular_median(difference_deg):
@@ -192,17 +204,17 @@ def drift(times, difference_deg):
         if time is not None:
             hour = time.hour + time.minute / 60 + time.second / 3600
             days.setdefault(time.date(), []).append((hour, value))
-    slopes, variance, count = [], 0.0, 0
+    parts, variance, count = [], 0.0, 0
     for day in days.values():
         hour, value = np.array(sorted(day)[:: -(-len(day) // MOST_OF_A_DAY)]).T
         first, second = np.triu_indices(len(hour), 1)
         gap = hour[second] - hour[first]
         apart = gap > TRUSTED_HOURS
-        slopes.append((value[second] - value[first])[apart] / gap[apart])
+        parts.append((value[second] - value[first])[apart] / gap[apart])
         if apart.any():
             count += len(hour)
             variance += len(hour) * (len(hour) - 1) * (2 * len(hour) + 5) / 18
-    slopes = np.sort(np.concatenate(slopes)) if slopes else np.zeros(0)
+    slopes = np.sort(np.concatenate(parts)) if parts else np.zeros(0)
     if count < LEAST_FOR_DRIFT or len(slopes) < LEAST_FOR_DRIFT:
         return None, None, None
     reach = 1.6449 * np.sqrt(variance)

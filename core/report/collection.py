@@ -228,7 +228,7 @@ def _data(photos, pages, folder, say):
 def _places(stations):
     """Metres to the east and north of each station, rounded; None without a position."""
     known = [k for k, s in enumerate(stations) if is_known(s.longitude_deg) and is_known(s.latitude_deg)]
-    places = [None] * len(stations)
+    places: list = [None] * len(stations)
     if known:
         for k, *place in zip(known, *east_north([stations[k] for k in known])):
             places[k] = [round(float(metres), 1) for metres in place]
