@@ -66,7 +66,8 @@ class Viewshed:
 class Sink:
     """Receiver of the results of a sweep; other kinds, such as a file, derive from this class.
 
-    Every cell is given once, so that adding is the same as writing.
+    Every cell is given once, so that adding is the same as writing. Calls may come from several threads, but never two
+    at a time.
 
     Attributes
     ----------

@@ -13,6 +13,8 @@ from ..base.camera import Camera, Pose, in_frame, project, unproject
 class Sector:
     """The interface of a sector of the view, as the sweep uses it; all sectors derive from this class.
 
+    Several threads may ask at once, so no method may change the sector.
+
     Attributes
     ----------
     selective : bool
