@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import io
 import json
 import re
@@ -142,6 +144,18 @@ def test_hostile_names_do_not_end_the_data(small_pages):
     assert document.text.count("<script") == 2
     assert len(data_of(document.text)["photos"]) == 6
     assert not re.search("[\u202a-\u202e\ud800-\udfff]", document.text)
+
+
+def test_the_index_may_run_its_own_script_only_and_load_pictures_only(small_pages, seven):
+    text = written(seven).text
+    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text)
+    for tag in ("style", "script"):
+        content = re.findall(rf"<{tag}>(.*?)</{tag}>", text, re.DOTALL)
+        assert len(content) == 1
+        digest = base64.b64encode(hashlib.sha256(content[0].encode()).digest()).decode()
+        assert f"{tag}-src 'sha256-{digest}'" in policy.replace("&#x27;", "'")
+    assert "default-src" in policy and "unsafe" not in policy and "http" not in policy
+    assert " style=" not in text
 
 
 def test_an_error_after_the_first_pages_leaves_nothing(small_pages, seven, tmp_path):
