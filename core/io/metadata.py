@@ -85,6 +85,9 @@ def interpret(tags, width_px, height_px):
         "taken_at": _time(tags),
         "utc_offset_s": _utc_offset_s(tags),
         "camera": _camera(tags),
+        "make": tags.get("Make"),
+        "model": tags.get("Model"),
+        "lens": tags.get("LensModel"),
         "panorama": panorama,
         "notes": tuple(notes),
     }
