@@ -3974,6 +3974,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>Die veröffentlichte Höhe von {height} m widerspricht dem DGM (dort {top} m), daher wird die Höhe des DGM verwendet. Vielleicht liegt der Punkt neben seinem Gipfel: Verschieben Sie ihn oder vergrößern Sie SNAP.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
         <translation>Die veröffentlichte Höhe von {height} m widerspricht dem DGM (dort {top} m), daher wird die Höhe des DGM verwendet. Ist sie in Fuß, schreiben Sie 'ft' dahinter.</translation>
     </message>

@@ -3974,6 +3974,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>La altura publicada de {height} m contradice el MDE ({top} m allí), por lo que se usa la altura del MDE. Quizá el punto esté al lado de su cumbre: muévalo o aumente SNAP.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
         <translation>La altura publicada de {height} m contradice el MDE ({top} m allí), por lo que se usa la altura del MDE. Si está en pies, escriba 'ft' detrás.</translation>
     </message>

@@ -3974,6 +3974,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>L'altitude publiée de {height} m contredit le MNT ({top} m à cet endroit) ; celle du MNT est donc utilisée. Le point est peut-être à côté de son sommet : déplacez-le ou augmentez SNAP.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
         <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. If it is in feet, write 'ft' after it.</source>
         <translation>L'altitude publiée de {height} m contredit le MNT ({top} m à cet endroit) ; l'altitude du MNT est donc utilisée. Si elle est en pieds, écrivez 'ft' après.</translation>
     </message>
