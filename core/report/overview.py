@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from ..base.status import STATUSES
-from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
+from ..figures.text import azimuth, compass_point, degrees, is_known, plus_minus, with_unit
 from .facts import percent, status_word
 from .pieces import fill, joined
 
@@ -74,7 +74,7 @@ def overview_table(summaries, say=str):
 def _row(number, summary, say):
     failed = summary.heading_deg is None
     reason = fill("reason", words=summary.message) if failed else ""
-    half = "–" if summary.half_interval_deg is None else f"±{summary.half_interval_deg:.2f}°"
+    half = "–" if summary.half_interval_deg is None else plus_minus(summary.half_interval_deg)
     heading = "–" if failed else f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}"
     residual = with_unit(summary.residual_px, "px", 1)
     if summary.residual_deg is not None:
