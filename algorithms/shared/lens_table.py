@@ -161,7 +161,7 @@ def _read(algorithm, parameters, context):
     table = [_row(number, feature, columns) for number, feature in enumerate(source.getFeatures(), 1)]
     if not table:
         raise QgsProcessingException(tr("The table LENS_TABLE has no row."))
-    first = {}
+    first: dict = {}
     for row in table:
         twin = first.setdefault(row.named, row)
         if (twin.k1, twin.k2) != (row.k1, row.k2):
@@ -174,7 +174,7 @@ def _read(algorithm, parameters, context):
 
 
 def _row(number, feature, columns):
-    texts = {key: "" if columns[key] is None else _text(feature[columns[key]]) for key in TEXTS}
+    texts: dict = {key: "" if columns[key] is None else _text(feature[columns[key]]) for key in TEXTS}
     lengths = {key: _number(number, feature, columns[key]) for key in LENGTHS}
     for key, value in lengths.items():
         if value is not None and value <= 0:
