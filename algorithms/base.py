@@ -14,7 +14,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ..core.base.errors import Cancelled, SkylineViewshedError
-from .shared.elevation import dem_fault, dem_source, no_statistics_file
+from .shared.elevation import dem_fault, dem_source
 from .shared.i18n import in_users_language, tr
 from .shared.reporting import facts_of, software
 from .shared.styling import tell_provenance
@@ -81,8 +81,7 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
 
     def checkParameterValues(self, parameters, context):
         """Reject unusable input before anything starts, and explain how to correct it."""
-        with no_statistics_file(parameters.get("DEM")):  # QGIS opens the layers for the first time here
-            passed, message = super().checkParameterValues(parameters, context)
+        passed, message = super().checkParameterValues(parameters, context)
         if not passed:
             return passed, message
         message = self._destination_fault(parameters, context) or self.input_fault(parameters, context)

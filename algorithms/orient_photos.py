@@ -11,6 +11,7 @@ from .shared.elevation import dem_fault
 from .shared.i18n import tr
 from .shared.kept_orientations import orientations_out
 from .shared.layers import points_fault, read_points
+from .shared.lens_table import add_lens_table_parameter, lens_table_fault, with_lens_table
 from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
@@ -93,6 +94,7 @@ class OrientPhotos(DemAlgorithm):
         add_rescue_parameters(self)
         add_altitude_parameter(self)
         add_lens_parameter(self)
+        add_lens_table_parameter(self)
         add_joint_parameter(self)
         add_workers_parameter(self)
         self.addParameter(oriented_out())
@@ -105,14 +107,15 @@ class OrientPhotos(DemAlgorithm):
     def input_fault(self, parameters, context):
         """Check the layer and the DEM."""
         fault = points_fault(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
-        return fault or dem_fault(self, parameters, context)
+        return fault or lens_table_fault(self, parameters, context) or dem_fault(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         """Orient photo by photo, then write."""
         source, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
+        fields, rows = with_lens_table(self, parameters, context, source.fields(), rows)
         options = options_of(self, parameters, context)
         requests = requests_of(self, parameters, context, rows)
-        fields, kept = oriented_fields(source)
+        fields, kept = oriented_fields(fields)
         rehearse(self, parameters, "OUTPUT", context, (fields, source.wkbType(), source.sourceCrs()))
         placing = Placing(source.wkbType(), source.sourceCrs(), context)
         features, statuses, compasses = [], [], CompassReadings()

@@ -14,6 +14,7 @@ from .shared.fields import is_null, photo_specs
 from .shared.folder_photos import folder_fault, photo_rows
 from .shared.i18n import tr
 from .shared.kept_orientations import orientations_out
+from .shared.lens_table import add_lens_table_parameter, lens_table_fault
 from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
@@ -128,6 +129,7 @@ class PhotoViewshed(DemAlgorithm):
         add_rescue_parameters(self)
         add_altitude_parameter(self)
         add_lens_parameter(self)
+        add_lens_table_parameter(self)
         add_joint_parameter(self)
         add_workers_parameter(self)
         self._add_outputs()
@@ -171,6 +173,7 @@ class PhotoViewshed(DemAlgorithm):
         """Check the photographs, the DEM and the range."""
         return (
             folder_fault(self, parameters, context)
+            or lens_table_fault(self, parameters, context)
             or dem_fault(self, parameters, context)
             or range_fault(self, parameters, context)
         )

@@ -3041,6 +3041,76 @@
         <translation>Zuordnung</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Table of lenses</source>
+        <translation>Tabelle der Objektive</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Distortion of known lenses, for example a CSV file: fields k1 and k2 (Brown, as in OpenCV), and at least one of make, model, lens, focal (mm) and f35 (mm), as in the photos' EXIF data; empty values fit all. The row that names most of a photo is used. Values in fields k1 and k2 of the points take precedence.</source>
+        <translation>Verzeichnung bekannter Objektive, zum Beispiel eine CSV-Datei: Felder k1 und k2 (Brown, wie in OpenCV) und mindestens eines von make, model, lens, focal (mm) und f35 (mm), wie in den EXIF-Daten der Fotos; leere Werte passen zu allen. Es gilt die Zeile, die am meisten von einem Foto nennt. Werte in den Feldern k1 und k2 der Punkte haben Vorrang.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>{count} of {total} photos take k1 and k2 from the table of lenses.</source>
+        <translation>{count} von {total} Fotos erhalten k1 und k2 aus der Tabelle der Objektive.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>No row of the table of lenses fits {count} photos, which are treated as free of distortion: {names}.</source>
+        <translation>Keine Zeile der Tabelle der Objektive passt zu {count} Fotos, die als frei von Verzeichnung behandelt werden: {names}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE fit {photo} equally well. Name more of its lens in one.</source>
+        <translation>Die Zeilen {first} und {second} von LENS_TABLE passen gleich gut zu {photo}. Nennen Sie in einer mehr von seinem Objektiv.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>no camera in the file</source>
+        <translation>keine Kamera in der Datei</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k1</source>
+        <translation>Radiale Verzeichnung k1</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k2</source>
+        <translation>Radiale Verzeichnung k2</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE needs the fields k1 and k2 and at least one of make, model, lens, focal and f35; it has {fields}.</source>
+        <translation>Die Tabelle LENS_TABLE braucht die Felder k1 und k2 und mindestens eines von make, model, lens, focal und f35; sie hat {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE has no row.</source>
+        <translation>Die Tabelle LENS_TABLE hat keine Zeile.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE give one lens different distortions. Delete one.</source>
+        <translation>Die Zeilen {first} und {second} von LENS_TABLE geben einem Objektiv verschiedene Verzeichnungen. Löschen Sie eine.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE has no k1.</source>
+        <translation>Zeile {row} von LENS_TABLE hat kein k1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE names no camera, lens or focal length that it is for.</source>
+        <translation>Zeile {row} von LENS_TABLE nennt keine Kamera, kein Objektiv und keine Brennweite, für die sie gilt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE: {field} is {value}. Give one positive number for a focal length, and numbers with a decimal point for k1 and k2.</source>
+        <translation>Zeile {row} von LENS_TABLE: {field} ist {value}. Geben Sie für eine Brennweite eine positive Zahl an und für k1 und k2 Zahlen mit Dezimalpunkt.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/located_report.py"/>
         <source>Rank</source>
@@ -3983,6 +4053,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: die veröffentlichte Position verwenden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>Die veröffentlichte Höhe von {height} m widerspricht dem DGM (dort {top} m), daher wird die Höhe des DGM verwendet. Vielleicht liegt der Punkt neben seinem Gipfel: Verschieben Sie ihn oder vergrößern Sie SNAP.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>

@@ -3041,6 +3041,76 @@
         <translation>Ajuste</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Table of lenses</source>
+        <translation>Tabla de objetivos</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Distortion of known lenses, for example a CSV file: fields k1 and k2 (Brown, as in OpenCV), and at least one of make, model, lens, focal (mm) and f35 (mm), as in the photos' EXIF data; empty values fit all. The row that names most of a photo is used. Values in fields k1 and k2 of the points take precedence.</source>
+        <translation>Distorsión de objetivos conocidos, por ejemplo un archivo CSV: los campos k1 y k2 (Brown, como en OpenCV) y al menos uno de make, model, lens, focal (mm) y f35 (mm), como en los datos EXIF de las fotos; los valores vacíos valen para todas. Se usa la fila que más nombra de una foto. Los valores de los campos k1 y k2 de los puntos tienen prioridad.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>{count} of {total} photos take k1 and k2 from the table of lenses.</source>
+        <translation>{count} de {total} fotos toman k1 y k2 de la tabla de objetivos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>No row of the table of lenses fits {count} photos, which are treated as free of distortion: {names}.</source>
+        <translation>Ninguna fila de la tabla de objetivos corresponde a {count} fotos, que se tratan como libres de distorsión: {names}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE fit {photo} equally well. Name more of its lens in one.</source>
+        <translation>Las filas {first} y {second} de LENS_TABLE corresponden igual de bien a {photo}. Nombre en una de ellas más datos de su objetivo.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>no camera in the file</source>
+        <translation>ninguna cámara en el archivo</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k1</source>
+        <translation>Distorsión radial k1</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k2</source>
+        <translation>Distorsión radial k2</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE needs the fields k1 and k2 and at least one of make, model, lens, focal and f35; it has {fields}.</source>
+        <translation>La tabla LENS_TABLE necesita los campos k1 y k2 y al menos uno de make, model, lens, focal y f35; tiene {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE has no row.</source>
+        <translation>La tabla LENS_TABLE no tiene ninguna fila.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE give one lens different distortions. Delete one.</source>
+        <translation>Las filas {first} y {second} de LENS_TABLE dan distorsiones distintas al mismo objetivo. Borre una.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE has no k1.</source>
+        <translation>La fila {row} de LENS_TABLE no tiene k1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE names no camera, lens or focal length that it is for.</source>
+        <translation>La fila {row} de LENS_TABLE no nombra ninguna cámara, objetivo ni distancia focal a la que se aplique.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE: {field} is {value}. Give one positive number for a focal length, and numbers with a decimal point for k1 and k2.</source>
+        <translation>Fila {row} de LENS_TABLE: {field} es {value}. Indique un número positivo para una distancia focal y números con punto decimal para k1 y k2.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/located_report.py"/>
         <source>Rank</source>
@@ -3983,6 +4053,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0: usar la posición publicada.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>La altura publicada de {height} m contradice el MDE ({top} m allí), por lo que se usa la altura del MDE. Quizá el punto esté al lado de su cumbre: muévalo o aumente SNAP.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>

@@ -3041,6 +3041,76 @@
         <translation>Appariement</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Table of lenses</source>
+        <translation>Table des objectifs</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Distortion of known lenses, for example a CSV file: fields k1 and k2 (Brown, as in OpenCV), and at least one of make, model, lens, focal (mm) and f35 (mm), as in the photos' EXIF data; empty values fit all. The row that names most of a photo is used. Values in fields k1 and k2 of the points take precedence.</source>
+        <translation>Distorsion d'objectifs connus, par exemple un fichier CSV : les champs k1 et k2 (Brown, comme dans OpenCV) et au moins l'un de make, model, lens, focal (mm) et f35 (mm), comme dans les données EXIF des photos ; les valeurs vides conviennent à toutes. La ligne qui nomme le plus de choses d'une photo est utilisée. Les valeurs des champs k1 et k2 des points ont priorité.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>{count} of {total} photos take k1 and k2 from the table of lenses.</source>
+        <translation>{count} photos sur {total} prennent k1 et k2 dans la table des objectifs.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>No row of the table of lenses fits {count} photos, which are treated as free of distortion: {names}.</source>
+        <translation>Aucune ligne de la table des objectifs ne convient à {count} photos, traitées comme exemptes de distorsion : {names}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE fit {photo} equally well. Name more of its lens in one.</source>
+        <translation>Les lignes {first} et {second} de LENS_TABLE conviennent aussi bien à {photo}. Nommez davantage de son objectif dans l'une d'elles.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>no camera in the file</source>
+        <translation>aucun appareil dans le fichier</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k1</source>
+        <translation>Distorsion radiale k1</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Radial distortion k2</source>
+        <translation>Distorsion radiale k2</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE needs the fields k1 and k2 and at least one of make, model, lens, focal and f35; it has {fields}.</source>
+        <translation>La table LENS_TABLE a besoin des champs k1 et k2 et d'au moins l'un de make, model, lens, focal et f35 ; elle a {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>The table LENS_TABLE has no row.</source>
+        <translation>La table LENS_TABLE n'a aucune ligne.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Rows {first} and {second} of LENS_TABLE give one lens different distortions. Delete one.</source>
+        <translation>Les lignes {first} et {second} de LENS_TABLE donnent des distorsions différentes à un même objectif. Supprimez-en une.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE has no k1.</source>
+        <translation>La ligne {row} de LENS_TABLE n'a pas de k1.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE names no camera, lens or focal length that it is for.</source>
+        <translation>La ligne {row} de LENS_TABLE ne nomme ni appareil, ni objectif, ni focale auxquels elle s'applique.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/lens_table.py"/>
+        <source>Row {row} of LENS_TABLE: {field} is {value}. Give one positive number for a focal length, and numbers with a decimal point for k1 and k2.</source>
+        <translation>Ligne {row} de LENS_TABLE : {field} vaut {value}. Donnez un nombre positif pour une focale, et des nombres avec un point décimal pour k1 et k2.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/located_outputs.py"/>
         <location filename="../algorithms/shared/located_report.py"/>
         <source>Rank</source>
@@ -3983,6 +4053,11 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>0: use the published position.</source>
         <translation>0 : utiliser la position publiée.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/summit_input.py"/>
+        <source>The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is used. The point may lie beside its summit: move it, or enlarge SNAP.</source>
+        <translation>L'altitude publiée de {height} m contredit le MNT ({top} m à cet endroit) ; celle du MNT est donc utilisée. Le point est peut-être à côté de son sommet : déplacez-le ou augmentez SNAP.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/summit_input.py"/>

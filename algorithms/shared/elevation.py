@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-from contextlib import nullcontext
 from dataclasses import dataclass
 from math import inf, isnan
 from typing import Any
@@ -13,6 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsR
 from ...core.base.errors import TerrainError
 from .i18n import tr
 from .parameters import dem_units
+from .raster_parameter import no_statistics_file
 
 
 @dataclass(frozen=True)
@@ -63,19 +62,6 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND", unit="DE
     number = max(algorithm.parameterAsInt(parameters, band, context), 1)
     unit = dem_units()[algorithm.parameterAsEnum(parameters, unit, context)][0]
     return DemSource(layer.source(), number, layer.crs(), assigned, reading_of(layer, number, unit))
-
-
-def no_statistics_file(source):
-    """Keep QGIS from leaving the statistics that it computes for a layer in a new .aux.xml beside the user's file.
-
-    If there is one already it is left in use, because it may hold the CRS or the nodata value.
-    """
-    from ...core.io.gdal_quiet import split_options, without_sidecars
-
-    path = split_options(source)[0] if isinstance(source, str) else ""
-    if os.path.isfile(path) and not os.path.exists(f"{path}.aux.xml"):
-        return without_sidecars()
-    return nullcontext()
 
 
 def reading_of(layer, band, unit):

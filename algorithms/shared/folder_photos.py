@@ -15,6 +15,7 @@ from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, photo_specs, qgis_fields
 from .i18n import tr
 from .layers import PointRow, points_fault, read_points
+from .lens_table import with_lens_table
 from .orientation import NUMBER_FIELDS
 from .oriented import oriented_specs
 from .photo_attributes import attributes_of, photos_in, point_of
@@ -64,10 +65,12 @@ def photo_rows(algorithm, parameters, context, feedback):
         paths = photos_in(folder, algorithm.parameterAsBoolean(parameters, "RECURSIVE", context), feedback)
         source_fields = qgis_fields(photo_specs())
         rows = read_files(paths, source_fields, feedback)
+        source_fields, rows = with_lens_table(algorithm, parameters, context, source_fields, rows)
         fields, kept = joined_fields(source_fields, oriented_specs())
         return PhotoRows(rows, fields, kept, QgsWkbTypes.Type.PointZ, QgsCoordinateReferenceSystem("EPSG:4326"))
     source, rows = read_points(algorithm, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
-    fields, kept = joined_fields(source.fields(), oriented_specs())
+    source_fields, rows = with_lens_table(algorithm, parameters, context, source.fields(), rows)
+    fields, kept = joined_fields(source_fields, oriented_specs())
     return PhotoRows(rows, fields, kept, source.wkbType(), source.sourceCrs())
 
 

@@ -279,9 +279,9 @@ def oriented_row(row, kept, oriented, max_distance_m, place=None):
     return place, [attributes[index] for index in kept] + ours
 
 
-def oriented_fields(source):
+def oriented_fields(fields):
     """Fields of the output and the indices of the source's fields that are kept."""
-    return joined_fields(source.fields(), oriented_specs())
+    return joined_fields(fields, oriented_specs())
 
 
 def summary(statuses):

@@ -16,11 +16,11 @@ from qgis.core import (
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
-    QgsProcessingParameterRasterLayer,
     QgsUnitTypes,
 )
 
 from .i18n import tr
+from .raster_parameter import RasterParameter
 
 METHODS = ("robust", "paper")
 COMPASS_USES = ("ignore", "prior")
@@ -90,7 +90,7 @@ def number_field(name, label, text, default=None, parent="INPUT"):
 def dem(name="DEM"):
     """Elevation model."""
     return explained(
-        QgsProcessingParameterRasterLayer(name, tr("Elevation model (DEM)")),
+        RasterParameter(name, tr("Elevation model (DEM)")),
         tr(
             "Any raster with heights in metres and a coordinate system, projected or geographic. It should "
             "extend to the mountains that are visible."

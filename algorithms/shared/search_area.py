@@ -12,7 +12,6 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
 )
 
@@ -20,6 +19,7 @@ from ...core.base.messages import Message
 from . import parameters as shared
 from .fields import is_null
 from .i18n import tr
+from .raster_parameter import RasterParameter, no_statistics_file
 
 WGS84 = "EPSG:4326"
 
@@ -58,7 +58,7 @@ def add_area_parameters(algorithm):
             )
         )
     )
-    weights = QgsProcessingParameterRasterLayer("WEIGHTS", tr("Weights of places"), optional=True)
+    weights = RasterParameter("WEIGHTS", tr("Weights of places"), optional=True)
     text = tr(
         "Raster with the relative probability that a photograph was taken at a place, for example from land cover or "
         "slope. Zero and nodata exclude a place."
@@ -75,7 +75,8 @@ def area_fault(algorithm, parameters, context):
 
 def weights_source(algorithm, parameters, context):
     """Provider and CRS of the raster of weights, for another thread; None without one. Call it in the main thread."""
-    layer = algorithm.parameterAsRasterLayer(parameters, "WEIGHTS", context)
+    with no_statistics_file(parameters.get("WEIGHTS")):
+        layer = algorithm.parameterAsRasterLayer(parameters, "WEIGHTS", context)
     return None if layer is None else (layer.dataProvider().clone(), layer.crs())
 
 

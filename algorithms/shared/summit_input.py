@@ -16,7 +16,7 @@ from qgis.core import (
     QgsProcessingParameterField,
 )
 
-from ...core.base.summit_heights import contradicts
+from ...core.base.summit_heights import contradicts, fits_in_feet
 from . import parameters as shared
 from .feedback import warn
 from .fields import is_null, metres_of
@@ -112,8 +112,13 @@ class PublishedHeights:
             self._told.add((name, height))
             text = tr(
                 "The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM is "
-                "used. If it is in feet, write 'ft' after it."
+                "used. The point may lie beside its summit: move it, or enlarge SNAP."
             )
+            if fits_in_feet(height, top):
+                text = tr(
+                    "The published height of {height} m contradicts the DEM ({top} m there), so the height of the DEM "
+                    "is used. If it is in feet, write 'ft' after it."
+                )
             warn(self._feedback, name, text.format(height=f"{height:.0f}", top=f"{top:.0f}"))
         return True
 

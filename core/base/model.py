@@ -39,8 +39,9 @@ class PhotoMetadata:
     position_error_m : float or None
     taken_at, utc_offset_s : datetime or None, float or None
         Local time of the camera, and how much it is ahead of UTC [s], as recorded or from the time of the GPS.
-    camera, software : str or None
-        Maker and model; what wrote the file, which on phones is the version of the system.
+    camera, make, model, lens, software : str or None
+        Maker and model for people; maker, model and lens as the file has them; what wrote the file, which on phones is the
+        version of the system.
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
@@ -71,6 +72,9 @@ class PhotoMetadata:
     gimbal_pitch_deg: float | None = None
     gimbal_roll_deg: float | None = None
     software: str | None = None
+    make: str | None = None
+    model: str | None = None
+    lens: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -261,19 +265,15 @@ class HorizonProfile:
     ----------
     azimuth_deg : (A,) array
         Regularly spaced azimuths from 0, clockwise from true north [degrees].
-    elevation_deg : (A,) array
-        Elevation angle of the horizon, up positive [degrees]; NaN where it is unknown.
-    distance_m : (A,) array
-        Ground distance of the horizon point [m]; NaN where unknown.
+    elevation_deg, distance_m : (A,) arrays
+        Elevation angle of the horizon, up positive [degrees], and ground distance of its point [m]; NaN where unknown.
     clipped : (A,) bool array
         True where the DEM ends before `max_distance_m` and terrain beyond its edge could be higher, so that the
         horizon is a lower bound.
     void : (A,) bool array
         True where cells without data lie along the ray and may contain a higher horizon.
-    eye_elevation_m : float
-        Elevation of the observer's eye [m].
-    cell_m : float
-        Size of the DEM's cells on the ground [m].
+    eye_elevation_m, cell_m : float
+        Elevation of the observer's eye, and size of the DEM's cells on the ground [m].
     reach_m : (A,) array
         Distance to which the DEM was searched in each direction [m].
     """

@@ -47,5 +47,10 @@ def contradicts(published_m: float, top_m: float) -> bool:
     """Tell whether a published height cannot be that of a top in the DEM; False where the DEM is unknown (NaN) [m]."""
     if abs(published_m - top_m) > CONTRADICTION_M:
         return True
-    in_feet = abs(published_m - FEET_RATIO * top_m) < FEET_SHARE * abs(published_m)
-    return in_feet and abs(published_m - top_m) > FEET_LEAST_M
+    feet_of_top = abs(published_m - FEET_RATIO * top_m) < FEET_SHARE * abs(published_m)
+    return feet_of_top and abs(published_m - top_m) > FEET_LEAST_M
+
+
+def fits_in_feet(published_m: float, top_m: float) -> bool:
+    """Tell whether a number that was read as metres agrees with a top in the DEM if it is taken as feet [m]."""
+    return abs(published_m * FOOT_M - top_m) <= CONTRADICTION_M

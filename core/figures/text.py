@@ -76,6 +76,16 @@ def azimuth(azimuth_deg, decimals=1):
     return f"{round(azimuth_deg % 360.0, decimals) % 360.0:.{decimals}f}°"
 
 
+def plus_minus(half_deg):
+    """Write half the width of an interval, such as '±0.25°' or '±100°'."""
+    return f"±{half_deg:.{decimals_of(half_deg)}f}°"
+
+
+def decimals_of(half_deg):
+    """Give the number of decimals that an angle deserves whose interval is this wide to either side [degrees]."""
+    return 2 if half_deg < 1 else 1 if half_deg < 10 else 0
+
+
 def with_unit(value, unit, decimals=0, signed=False, space="\u00a0"):
     """Write a number with its unit, a true minus sign and thousands separators, or an en dash if it is unknown.
 

@@ -34,6 +34,7 @@ TAGS = {
     ("EXIF", 0xA401): "CustomRendered",
     ("EXIF", 0xA404): "DigitalZoomRatio",
     ("EXIF", 0xA405): "FocalLengthIn35mmFilm",
+    ("EXIF", 0xA434): "LensModel",
     ("GPS", 0x0001): "GPSLatitudeRef",
     ("GPS", 0x0002): "GPSLatitude",
     ("GPS", 0x0003): "GPSLongitudeRef",
@@ -51,7 +52,7 @@ TAGS = {
 """Names in Exif 2.32 by (directory, number)."""
 
 TEXT_TAGS = {"Make", "Model", "Software", "ProjectionType", "DateTime", "DateTimeOriginal",
-             "OffsetTimeOriginal", "GPSStatus", "GPSDateStamp"}  # fmt: skip
+             "OffsetTimeOriginal", "GPSStatus", "GPSDateStamp", "LensModel"}  # fmt: skip
 TEXT_TAGS |= {name for name in TAGS.values() if name.endswith("Ref")} - {"GPSAltitudeRef"}
 PANORAMA_TAGS = ("ProjectionType", "FullPanoWidthPixels", "CroppedAreaImageWidthPixels")
 """Names in the XMP namespace GPano, which describes stitched panoramas."""

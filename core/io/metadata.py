@@ -86,6 +86,9 @@ def interpret(tags, width_px, height_px):
         "utc_offset_s": _utc_offset_s(tags),
         "camera": _camera(tags),
         "software": tags.get("Software") or None,
+        "make": tags.get("Make"),
+        "model": tags.get("Model"),
+        "lens": tags.get("LensModel"),
         "panorama": panorama,
         "notes": tuple(notes),
     }

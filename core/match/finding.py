@@ -76,9 +76,7 @@ def examine(objectives, fits, floor_deg):
         position = objectives[eye].position_error_m
         sigma[own] = heading_sigma_deg(objectives[eye], trials[own], fits.scale[own], position, floor_deg)
     columns, probability = objective.columns(1), objective.stack.probability
-    row, tolerance = objective.rows(trials[:1], columns)
-    row, tolerance = row[0], tolerance[0]
-    value = objective.stack.look_up(columns, row, tolerance * 1.5)
+    row, tolerance = (value[0] for value in objective.rows(trials[:1], columns))
     inside = np.isfinite(row) & (row >= 0) & (row <= objective.stack.shape[0] - 1)
     likeliest = probability[:, columns].argmax(axis=0)
     miss = np.abs(likeliest - 0.5 - row)[inside]
@@ -87,13 +85,27 @@ def examine(objectives, fits, floor_deg):
         fits.score,
         sigma,
         float(np.degrees(relief_px(columns[inside], row[inside]) / objective.camera.focal_px)),
-        float(np.mean(value > np.log(3.0))),
+        float(np.mean(explained(objective, trials[:1], columns))),
         float(np.median(miss)) if len(miss) else float(objective.stack.shape[0]),
         float(np.median(tolerance)),
         _sureness(probability[:, columns], likeliest),
         objective.camera.hfov_deg,
         _cells_across(objective, trials[:1]),
     )
+
+
+def explained(objective, trial, columns):
+    """Tell in which columns the skyline in the picture agrees with the horizon of a trial, (C,) bool.
+
+    Parameters
+    ----------
+    objective : Objective
+    trial : (1, 5) array
+        See `geometry.PARAMETERS`.
+    columns : (C,) int array
+    """
+    row, tolerance = (value[0] for value in objective.rows(trial, columns))
+    return objective.stack.look_up(columns, row, tolerance * 1.5) > np.log(3.0)
 
 
 def heading_sigma_deg(objective, trials, scale, position_error_m, floor_deg):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..base.messages import Message
+from .finding import explained
 from .geometry import horizon_rows
 from .likelihood import EvidenceStack
 
@@ -49,11 +50,19 @@ def refusal(evidence, horizon, landmarks):
     return None
 
 
-def edge_notes(answers):
-    """Note for a frame in which much of the horizon is only a lower bound."""
-    objective = answers.objective
-    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, answers.trials[:1], objective.columns(4))
-    share = float(objective.curve.clipped[objective.curve.nearest(azimuth)].mean())
+def edge_notes(answers, status):
+    """Note for a frame in which much of the horizon is only a lower bound.
+
+    If the answer is accepted, columns in which the picture agrees with that horizon do not count: higher terrain beyond
+    the DEM's edge would stand above it in the picture.
+    """
+    objective, trial = answers.objective, answers.trials[:1]
+    columns = objective.columns(4)
+    _, azimuth, _ = horizon_rows(objective.curve, objective.camera, trial, columns)
+    open_ended = objective.curve.clipped[objective.curve.nearest(azimuth[0])]
+    if status == "accepted":
+        open_ended = open_ended & ~explained(objective, trial, columns)
+    share = float(open_ended.mean())
     if share < 0.2:
         return ()
     note = Message(

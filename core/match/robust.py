@@ -117,7 +117,7 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
         sharpness=sharpness(answers.coarse.heading_deg, answers.coarse.score, candidates[0].pose.heading_deg),
         residual_px=residual,
         notes=landmark_notes(landmarks, candidates[0].camera, candidates[0].pose)
-        + edge_notes(answers)
+        + edge_notes(answers, status)
         + ((BEHIND_NOTE,) if behind else ())
         + compass_note(status, objection, inputs.recorded_heading_deg),
         behind=behind,

@@ -11,7 +11,7 @@ from ..base.angles import difference, in_wedge, wrap_360
 from ..base.overlay_lines import skyline_residuals_px
 from ..base.status import STATUSES
 from ..base.uncertainty import Z_90
-from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
+from ..figures.text import azimuth, compass_point, decimals_of, degrees, is_known, plus_minus, with_unit
 
 
 @dataclass(frozen=True)
@@ -145,9 +145,9 @@ def interval_words(orientation, say=str):
     half = half_interval_deg(orientation)
     if half is None:
         return ""
-    decimals = 1 if half >= 1 else 2
-    low, high = (azimuth(at, decimals) for at in (orientation.heading_lo_deg, orientation.heading_hi_deg))
-    return say("{low} to {high}").format(low=low, high=high) + f" (±{half:.{decimals}f}°)"
+    ends = (orientation.heading_lo_deg, orientation.heading_hi_deg)
+    low, high = (azimuth(at, decimals_of(half)) for at in ends)
+    return say("{low} to {high}").format(low=low, high=high) + f" ({plus_minus(half)})"
 
 
 def percent(share):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from ..base.status import STATUSES
-from ..figures.text import azimuth, compass_point, degrees, is_known, with_unit
+from ..figures.text import azimuth, compass_point, degrees, is_known, plus_minus, with_unit
 from .facts import percent, status_word
 from .pieces import fill, joined
 
@@ -82,7 +82,7 @@ def overview_table(summaries, say=str, first=1):
 
 def numbers_of(summary, say=str):
     """Values and words of a summary for all columns after status and name."""
-    half = "–" if summary.half_interval_deg is None else f"±{summary.half_interval_deg:.2f}°"
+    half = "–" if summary.half_interval_deg is None else plus_minus(summary.half_interval_deg)
     known = summary.heading_deg is not None
     heading = f"{azimuth(summary.heading_deg)} {compass_point(summary.heading_deg, say)}" if known else "–"
     residual = with_unit(summary.residual_px, "px", 1)

@@ -54,6 +54,35 @@ def test_a_run_from_the_dialog(dialogs, scene, tmp_path):
     dialog.close()
 
 
+def test_a_table_of_lenses_is_taken_from_the_dialog(dialogs, scene, tmp_path):
+    import processing
+    from osgeo import ogr
+    from qgis.PyQt.QtTest import QTest
+    from skyline_viewshed.core.io.photo import read_metadata
+
+    (tmp_path / "lenses.csv").write_text(
+        f"f35,k1\n{read_metadata(str(scene.folder / 'north.jpg')).focal_length_35mm},-0.01\n", encoding="utf-8"
+    )
+    given = {"FOLDER": scene.folder, "DEM": scene.dem, "LENS_TABLE": tmp_path / "lenses.csv"}
+    files = {"OUTPUT": "o.gpkg", "POLYGONS": "g.gpkg", "VIEWSHED": "v.tif", "REPORT": "r.html"}
+    given.update({name: tmp_path / file for name, file in files.items()})
+    texts = {name: str(value) for name, value in given.items()}
+    paper = 1  # which is faster
+    dialog = processing.createAlgorithmDialog(
+        "skylineviewshed:photoviewshed", {**texts, "METHOD": paper, "MAX_DISTANCE": 2000}
+    )
+    dialog.show()
+    dialog.runButton().click()
+    for _ in range(4000):
+        QTest.qWait(50)
+        if dialog.results():
+            break
+    assert dialog.results()["COUNT"] == 2
+    dialog.close()
+    source = ogr.Open(str(tmp_path / "o.gpkg"))
+    assert [row["k1"] for row in source.GetLayer(0)] == [-0.01, -0.01]
+
+
 def test_every_algorithm_and_model_explains_itself(algorithm):
     silent = []
     for name in IDS:

@@ -362,7 +362,7 @@ def test_heights_with_units_are_read_and_those_that_the_dem_contradicts_are_said
     assert at[feet] == pytest.approx(at[metres], abs=0.1)
     assert at["18941"] == pytest.approx((summit["x_px"], summit["y_px"]), abs=20)
     (told,) = [warning for warning in feedback.warnings if "contradicts the DEM" in warning]
-    assert told.startswith("18941: ")
+    assert told.startswith("18941: ") and told.endswith("enlarge SNAP.")
 
 
 def test_areas_are_asked_for_the_share_that_shows(run, scene, oriented):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from skyline_viewshed.core.base.summit_heights import contradicts, height_m
+from skyline_viewshed.core.base.summit_heights import contradicts, fits_in_feet, height_m
 
 
 @pytest.mark.parametrize(
@@ -27,3 +27,10 @@ def test_decimals_signs_and_texts_without_a_number():
 ])  # fmt: skip
 def test_a_dem_contradicts_misprints_and_bare_feet_but_not_a_sharp_summit_on_coarse_cells(published, top, wrong):
     assert contradicts(published, top) is wrong
+
+
+@pytest.mark.parametrize(("published", "top", "feet"), [
+    (7513, 2294, True), (300, 91, True), (18941, 2294, False), (6782, 6042, False), (7513, float("nan"), False),
+])  # fmt: skip
+def test_feet_are_advised_only_where_they_would_agree(published, top, feet):
+    assert fits_in_feet(published, top) is feet

@@ -8,7 +8,16 @@ from xml.etree import ElementTree
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from skyline_viewshed.core.figures.text import LONGEST_TEXT, azimuth, compass_point, degrees, escape, plain, with_unit
+from skyline_viewshed.core.figures.text import (
+    LONGEST_TEXT,
+    azimuth,
+    compass_point,
+    degrees,
+    escape,
+    plain,
+    plus_minus,
+    with_unit,
+)
 
 ANY_TEXT = st.text(st.characters(codec=None, categories=None), max_size=600)
 
@@ -72,3 +81,8 @@ def test_numbers_have_true_minus_signs_thin_thousands_and_units():
     assert with_unit(-0.01, "m", 1) == "0.0\u00a0m"
     assert degrees(2.04, 1, signed=True) == "+2.0°"
     assert with_unit(None, "m") == with_unit(float("inf"), "m") == "–"
+
+
+@pytest.mark.parametrize(("half", "words"), [(0.247, "±0.25°"), (1.04, "±1.0°"), (12.3, "±12°"), (100.28, "±100°")])
+def test_intervals_have_as_many_decimals_as_they_deserve(half, words):
+    assert plus_minus(half) == words

@@ -383,3 +383,10 @@ def test_whatever_the_tags_say_the_fields_are_finite_and_in_range(numbers, texts
         assert abs(found["latitude_deg"]) <= 90
         assert abs(found["longitude_deg"]) <= 180
     assert found["compass_heading_deg"] is None or 0 <= found["compass_heading_deg"] < 360
+
+
+def test_maker_model_and_lens_are_kept_as_the_file_has_them():
+    tags = {"Make": "NIKON CORPORATION", "Model": "NIKON D200", "LensModel": "AF Nikkor 20mm f/2.8D"}
+    found = interpret(tags, 100, 80)
+    assert (found["make"], found["model"], found["lens"]) == tuple(tags.values())
+    assert interpret({}, 100, 80)["lens"] is None

@@ -7,6 +7,7 @@ from skyline_viewshed.core.base.model import SkylineEvidence
 from skyline_viewshed.core.horizon.inner import InnerTerrain
 from skyline_viewshed.core.match import fitting, robust
 from skyline_viewshed.core.match.landmarks import Landmark
+from skyline_viewshed.core.match.notes import edge_notes
 from skyline_viewshed.core.match.prior import HeadingPrior
 from skyline_viewshed.core.match.robust import RobustOptions, find_answers, match_robust, mirror_fits_better
 
@@ -183,11 +184,36 @@ def test_landmarks_alone_are_enough_where_nothing_else_can_be_seen(match_scenes)
     assert miss(found, 222.0) < 0.5
 
 
-def test_a_horizon_cut_off_by_the_dem_is_remarked_on(match_scenes):
+def cut_off(scene, lowered=False):
+    """The scene with a DEM that ends early all around; if lowered, the range is missing near its right edge."""
+    elevation = scene.horizon.elevation_deg.copy()
+    if lowered:
+        missing = (np.arange(3600) / 10 - scene.pose.heading_deg - 12) % 360 < 60
+        elevation[missing] -= 4.0
+    return replace(scene, horizon=replace(scene.horizon, elevation_deg=elevation, clipped=np.ones(3600, bool)))
+
+
+def edge_share(notes):
+    """Per cent of the frame in which the note leaves open where the horizon is; None without the note."""
+    shares = [note.facts["share"] for note in notes if "a larger DEM" in note]
+    return float(shares[0]) if shares else None
+
+
+def test_a_horizon_cut_off_by_the_dem_is_remarked_on_while_the_heading_is_open(match_scenes):
+    found = solve(cut_off(twins(match_scenes)[1]))
+    assert found.status == "ambiguous" and edge_share(found.notes) == 100
+
+
+def test_it_is_not_where_an_accepted_picture_shows_that_nothing_higher_follows(match_scenes):
+    found = solve(cut_off(match_scenes.scene(3)))
+    assert found.status == "accepted" and edge_share(found.notes) is None
+
+
+def test_it_is_where_the_picture_rises_above_what_the_dem_has(match_scenes):
     scene = match_scenes.scene(3)
-    clipped = np.ones(3600, bool)
-    found = solve(replace(scene, horizon=replace(scene.horizon, clipped=clipped)))
-    assert any("a larger DEM" in note for note in found.notes)
+    right, lowered = (find_answers(cut_off(scene, missing).inputs()) for missing in (False, True))
+    answers = replace(right, objectives=lowered.objectives)
+    assert 20 < edge_share(edge_notes(answers, "accepted")) < 60 < edge_share(edge_notes(answers, "ambiguous"))
 
 
 def test_residuals_speak_of_the_full_picture_s_pixels(match_scenes):
