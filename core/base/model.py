@@ -40,8 +40,7 @@ class PhotoMetadata:
     taken_at, utc_offset_s : datetime or None, float or None
         Local time of the camera, and how much it is ahead of UTC [s], as recorded or from the time of the GPS.
     camera, make, model, lens, software : str or None
-        Maker and model for people; maker, model and lens as the file has them; what wrote the file, which on phones is the
-        version of the system.
+        Maker and model for people; maker, model and lens as the file has them; what wrote it (on phones, the system).
     notes : tuple of Message
         Remarks for the user (why coordinates were ignored, a focal length that was derived, ...).
     panorama : bool
