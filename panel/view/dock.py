@@ -59,8 +59,18 @@ class PhotoViewDock(QgsDockWidget):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._lay_out()
-        for watched in (self.canvas, self.strip):
+        self._order_focus()
+
+    def _order_focus(self):
+        """Let the Tab key go from top to bottom, and the keys work everywhere but in the boxes, which take letters."""
+        buttons = self.widget().findChildren(QToolButton)
+        bar = [button for button in buttons if self.review_bar.isAncestorOf(button)]
+        tools = [button for button in buttons if button not in bar]
+        for watched in (*buttons, self.canvas, self.strip):
             watched.installEventFilter(self.keys)
+        order = [self.layer_box, self.dem_box, *tools, self.canvas, *bar, self.strip]
+        for one, other in zip(order, order[1:]):
+            self.setTabOrder(one, other)
 
     def _layer_box(self, kinds, tip):
         box = QgsMapLayerComboBox()
@@ -172,10 +182,11 @@ class PhotoViewDock(QgsDockWidget):
             button.setDefaultAction(action)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             row.addWidget(button)
-        self.progress = QProgressBar()
-        self.progress.setFormat("%v / %m")
+        self.progress, self.count_label = QProgressBar(), QLabel()
+        self.progress.setTextVisible(False)  # some themes write it in the colour of the bar
         self.progress.setAccessibleName(tr("Reviewed photographs"))
         row.addWidget(self.progress, 1)
+        row.addWidget(self.count_label)
         bar.setLayout(row)
         bar.hide()
         return bar
@@ -205,3 +216,4 @@ class PhotoViewDock(QgsDockWidget):
             action.setEnabled(on)
         self.progress.setMaximum(max(count, 1))
         self.progress.setValue(done)
+        self.count_label.setText(f"{done} / {count}")

@@ -117,9 +117,16 @@ class Strip(QListWidget):
     def _take(self, fid, image):
         row = self._rows.get(fid)
         if row is not None:
-            self.item(row).setIcon(QIcon(QPixmap.fromImage(image)))
+            self.item(row).setIcon(_icon(QPixmap.fromImage(image)))
 
     def _blank(self, status):
         pixmap = QPixmap(THUMBNAIL_PX, THUMBNAIL_PX * 3 // 4)
         pixmap.fill(QColor(COLOURS.get(status, "#6e7781")))
-        return QIcon(pixmap)
+        return _icon(pixmap)
+
+
+def _icon(pixmap):
+    """The same picture whether it is selected or not; Qt would tint it with the colour of the selection."""
+    icon = QIcon(pixmap)
+    icon.addPixmap(pixmap, QIcon.Mode.Selected)
+    return icon
