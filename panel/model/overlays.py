@@ -112,7 +112,7 @@ class Overlays:
         draft = session.draft
         if draft is None:
             return Drawing()
-        others = session.alternatives if OTHERS in shown and draft.pose is not None else []
+        others = session.alternatives if OTHERS in shown and draft.pose is not None else ()
         evidence = session.evidence if SKYLINE in shown else None
         present = evidence, session.ground, others, draft.camera, draft.strokes, draft.brush, draft.anew
         if len(self._for) != len(present) or any(a is not b for a, b in zip(self._for, present)):

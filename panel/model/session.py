@@ -127,7 +127,7 @@ class Session(QObject):
 
     @property
     def alternatives(self):
-        """Further headings of the point: [(number, Pose), ...], put onto the extracted skyline."""
+        """Further headings of the point: ((number, Pose), ...), put onto the extracted skyline."""
         return self._alternatives.of(self)
 
     def unkept(self):

@@ -197,6 +197,10 @@ def test_review_takes_one_key_per_verdict(panel):
     hand.key(Qt.Key.Key_D)
     assert dock.progress.value() == 2
     assert sorted(f["review"] for f in panel.layer.getFeatures()) == ["accepted", "doubtful"]
+    hand.press("previous")
+    hand.key(Qt.Key.Key_R)
+    assert sorted(f["review"] for f in panel.layer.getFeatures()) == ["doubtful", "rejected"]
+    panel.layer.undoStack().undo()
     panel.layer.undoStack().undo()
     hand.settle()
     assert len([1 for f in panel.layer.getFeatures() if f["review"]]) == 1 and dock.progress.value() == 1

@@ -100,7 +100,8 @@ def test_another_answer_of_the_table(panel, scene):
     panel.layer.rollBack()
 
 
-def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, photos):
+def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, photos, provider):
+    import processing
     from skyline_viewshed.panel.model.ground import place_of, posed_photo
 
     hand, session = panel.hand, panel.session
@@ -118,6 +119,12 @@ def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, ph
     assert [f["photo"] for f in table.getFeatures()] == [f"{scene.folder.name}/north.jpg"] * 2
     assert {"photo", "x", "y", "elevation"} <= {field.name() for field in table.fields()}
     assert len(read_aids(folder, session.item.path)[0]) == 2
+    given = {"INPUT": panel.layer, "DEM": str(scene.dem), "LANDMARKS": str(folder / "landmarks.geojson"),
+             "OUTPUT": "TEMPORARY_OUTPUT"}  # fmt: skip
+    found = {
+        row["filename"]: row for row in processing.run("skylineviewshed:orientphotos", given)["OUTPUT"].getFeatures()
+    }
+    assert abs(difference(found["north"]["heading"], scene.truth["north"].heading_deg)) < 0.5
     session.show(session.item.fid)
     hand.settle()
     assert len(hand.draft.landmarks) == 2
