@@ -175,8 +175,8 @@ class Session(QObject):
             return
         item = self.photos.item(fid)
         if item is None:
-            self.told.emit(tr("The photograph is no longer in the layer."))
             self.clear()
+            self.told.emit(tr("The photograph is no longer in the layer."))
             return
         self._cancel()
         self._forget()

@@ -33,7 +33,7 @@ class Strip(QListWidget):
 
     def __init__(self, pictures, parent=None):
         super().__init__(parent)
-        self.pictures, self._rows, self._busy = pictures, {}, False
+        self.pictures, self.files, self._rows, self._busy = pictures, {}, {}, False
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setFlow(QListView.Flow.LeftToRight)
         self.setWrapping(False)
@@ -53,7 +53,7 @@ class Strip(QListWidget):
 
     def show_photos(self, files, statuses):
         """Show other photographs: (path, path of a picture that stands in for it) and status by identifier."""
-        self._busy = True
+        self._busy, self.files = True, dict(files)
         self.clear()
         self._rows = {}
         for row, (fid, (path, preview)) in enumerate(files.items()):

@@ -69,7 +69,8 @@ def delete_all_features(panel):
 
 def delete_path_field(panel):
     panel.layer.startEditing()
-    panel.layer.deleteAttribute(panel.layer.fields().lookupField("photo"))
+    for name in ("photo", "filename"):
+        panel.layer.deleteAttribute(panel.layer.fields().lookupField(name))
 
 
 def filter_layer(panel):
@@ -145,7 +146,7 @@ def test_what_is_under_way_ends_quietly(panel, disturb):
 @pytest.mark.parametrize(
     "disturb, words",
     [
-        (remove_layer, "The layer was removed"),
+        (remove_layer, "Choose a layer"),
         (remove_dem, "Choose an elevation model"),
         (delete_feature, "no longer in the layer"),
         (delete_path_field, "no field with the photographs"),
@@ -157,7 +158,37 @@ def test_a_sentence_says_what_happened(panel, disturb, words):
     panel.hand.settle()
     assert words in panel.hand.said
     if disturb is not remove_layer:
-        panel.layer.rollBack()
+        panel.layer.setSubsetString("") if disturb is filter_layer else panel.layer.rollBack()
+
+
+def test_the_thumbnails_follow_the_layer(panel):
+    strip, layer = panel.view.dock.strip, panel.layer
+    panel.view.select(panel.session.photos.ids()[1])
+    layer.startEditing()
+    layer.deleteFeature(panel.session.photos.ids()[0])
+    panel.hand.settle()
+    assert strip.count() == 1 and strip.currentItem().text() == panel.session.item.name == "west.jpg"
+    layer.undoStack().undo()
+    panel.hand.settle()
+    assert strip.count() == 2 and strip.currentItem().text() == "west.jpg"
+    layer.rollBack()
+    layer.setSubsetString("filename = 'north'")
+    panel.hand.settle()
+    assert strip.count() == 1 and strip.item(0).text() == "north.jpg"
+    layer.setSubsetString("")
+    panel.hand.settle()
+    assert strip.count() == 2
+
+
+def test_a_layer_that_gets_its_field_back_is_shown_again(panel):
+    delete_path_field(panel)
+    panel.hand.settle()
+    assert panel.session.item is None and panel.view.dock.strip.count() == 0
+    for _ in range(2):
+        panel.layer.undoStack().undo()
+    panel.hand.settle()
+    assert panel.session.item is not None and panel.view.dock.strip.count() == 2
+    panel.layer.rollBack()
 
 
 def test_a_layer_that_is_removed_leaves_the_panel_to_another(panel, photos, tmp_path):
