@@ -190,7 +190,7 @@ def test_facing_a_place_turns_the_camera(panel):
     eye = session.ground.observer
     hand.press("face")
     hand.click_map(eye.longitude_deg + 0.05, eye.latitude_deg)
-    assert hand.draft.pose.heading_deg == pytest.approx(90.0, abs=0.5)
+    assert hand.draft.pose.heading_deg == pytest.approx(90.0, abs=0.5) and hand.draft.pose.roll_deg == 0.0
     hand.press("undo")
     assert hand.draft.pose.heading_deg == pytest.approx(25.0)
 
