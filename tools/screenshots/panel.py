@@ -120,7 +120,7 @@ def correct(view, hand, width, height):
     left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
     grip, goal = hand.hold(truth)
     hand.send(QEvent.Type.MouseButtonPress, hand.at(*grip), left, left)
-    for number, share in enumerate((0.4, 0.75, 1.0), 1):
+    for number, share in enumerate((0.75, 1.0), 1):
         place = [a + share * (b - a) for a, b in zip(grip, goal)]
         hand.send(QEvent.Type.MouseMove, hand.at(*place), none, left)
         yield
@@ -128,7 +128,7 @@ def correct(view, hand, width, height):
     hand.send(QEvent.Type.MouseButtonRelease, hand.at(*goal), left, none)
     hand.press("snap")
     hand.settle()
-    frame(view, 4)
+    frame(view, 3)
     shot("snapped")
     hand.press("look")
     ground = view.session.ground

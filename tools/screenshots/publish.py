@@ -48,8 +48,8 @@ def main(work, target):
 
 
 def sequence(paths):
-    """Put the frames of a rescue side by side, in rows of two."""
-    frames = [Image.open(path).convert("RGB") for path in paths]
+    """Put the skylines of the frames of a rescue side by side, in rows of two."""
+    frames = [skyline_part(Image.open(path).convert("RGB")) for path in paths]
     width = PAGE_WIDTH // 2 - GAP
     height = round(frames[0].height * width / frames[0].width)
     rows = (len(frames) + 1) // 2
@@ -59,6 +59,12 @@ def sequence(paths):
         ImageDraw.Draw(small).text((8, 6), str(number + 1), fill="white", font_size=24)
         whole.paste(small, (number % 2 * (width + GAP), number // 2 * (height + GAP)))
     return whole
+
+
+def skyline_part(frame):
+    """Give the part of a frame in which the horizon moves."""
+    width, height = frame.size
+    return frame.crop((round(0.14 * width), round(0.45 * height), round(0.86 * width), round(0.9 * height)))
 
 
 def photograph(browser, report):
