@@ -177,7 +177,7 @@ def test_a_long_message_leaves_the_picture_its_room(panel):
 def test_zoom_and_pan_keep_the_pixel_under_the_mouse(panel):
     canvas, hand = panel.view.dock.canvas, panel.hand
     before = hand.at(600, 300)
-    hand.wheel(3, 600, 300)
+    hand.wheel(1, 600, 300)
     assert (hand.at(600, 300) - before).manhattanLength() <= 2 and canvas.scale > 1
     hand.drag((600, 300), (560, 280))
     assert canvas.to_picture(before) == pytest.approx((640, 320), abs=3)

@@ -59,8 +59,9 @@ def kept_error_deg(panel):
     row = panel.layer.getFeature(panel.session.item.fid)
     assert row["status"] == "confirmed"
     off = abs(difference(row["heading"], panel.truth.heading_deg))
+    lens = panel.hand.draft.camera.hfov_deg
     print(
-        f"{panel.session.item.name}: {panel.status}, {panel.hand.steps} steps, {off:.2f} degrees off, {panel.hand.said}"
+        f"{panel.session.item.name}: {panel.status}, {panel.hand.steps} steps, {off:.2f} off, field of view {lens:.1f}"
     )
     panel.layer.rollBack()
     panel.hand.settle()
