@@ -269,22 +269,6 @@ def wedge_of(ground, posed, length_m):
     return _positions(ground.terrain, ground.frame, east, north)
 
 
-def summits_of(ground, posed, given):
-    """Visible summits all around the eye: (name, azimuth, elevation angle) [degrees], most important first.
-
-    Parameters
-    ----------
-    ground : Ground
-    posed : PosedPhoto
-    given : list or None
-        From `summit_input.read_summits`; None finds summits in the DEM.
-    """
-    from ...algorithms.shared.summit_input import Summitry
-
-    shown = Summitry(ground.terrain, given).shown(view_of(ground, posed), _options(), all_round=True)
-    return [(summit.mark.words, summit.azimuth_deg, summit.elevation_deg) for summit in shown if summit.visible]
-
-
 def places_of(ground, posed, points):
     """Find what several pixels show, without their errors.
 
