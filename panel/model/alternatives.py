@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from ...core.base.camera import Pose
+from .identity import same
 from .solving import levelled_draft
 
 
@@ -12,14 +14,15 @@ class Alternatives:
     """Remembers the answers as long as nothing on which they depend changes, since they are drawn in every frame."""
 
     def __init__(self):
-        self._for, self._found = (), ()
+        self._for: tuple[Any, ...] = ()
+        self._found: tuple[Any, ...] = ()
 
     def of(self, session):
         """Give the answers for a session: ((number, Pose), ...); the same tuple as long as they are the same."""
         if session.item is None or session.ground is None or session.draft is None:
             return ()
         present = session.item, session.draft.camera, session.ground, session.evidence
-        if len(self._for) != len(present) or any(a is not b for a, b in zip(self._for, present)):
+        if not same(self._for, present):
             self._for, self._found = present, tuple(_answers(session))
         return self._found
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...core.base.camera import in_frame, project
 from ...core.base.overlay_lines import skyline_line
+from .identity import same
 
 HORIZON, CRESTS, SKYLINE, OTHERS = "horizon", "crests", "skyline", "alternatives"
 SUMMITS, GRATICULE, MAP = "summits", "graticule", "map"
@@ -93,7 +94,9 @@ class Overlays:
     """Draws the present state; what does not follow the pose is kept from one frame of a drag to the next."""
 
     def __init__(self):
-        self._for, self._still, self._still_labels = (), (), []
+        self._for: tuple[Any, ...] = ()
+        self._still: tuple[Line, ...] = ()
+        self._still_labels: list[Label] = []
 
     def drawn(self, session, shown, terrestrial):
         """Give the lines and labels of the present state.
@@ -115,7 +118,7 @@ class Overlays:
         others = session.alternatives if OTHERS in shown and draft.pose is not None else ()
         evidence = session.evidence if SKYLINE in shown else None
         present = evidence, session.ground, others, draft.camera, draft.strokes, draft.brush, draft.anew
-        if len(self._for) != len(present) or any(a is not b for a, b in zip(self._for, present)):
+        if not same(self._for, present):
             self._for = present
             self._still, self._still_labels = _still(draft, evidence, session.ground, others)
         lines: list[Line] = []
@@ -146,7 +149,7 @@ def _still(draft, evidence, ground, others):
 def _add_terrain(lines, labels, session, shown, terrestrial):
     camera, pose, ground = session.draft.camera, session.draft.pose, session.ground
     if CRESTS in shown:
-        lines.append(Line(CRESTS, *ground.crests.project(camera, pose), True))
+        lines.append(Line(CRESTS, *ground.crests.project(camera, pose), dots=True))
     if MAP in shown:
         for trace in terrestrial.traces:
             place = project(camera, pose, trace.azimuth_deg, trace.elevation_deg)

@@ -12,6 +12,7 @@ from qgis.PyQt.QtWidgets import QWidget
 
 from ...algorithms.shared.i18n import tr
 from ..model.faults import guarded
+from ..model.identity import same
 from ..model.overlays import Drawing
 from .painting import paint_brush, paint_label, paint_line, paint_notice
 
@@ -65,7 +66,8 @@ class PictureCanvas(QWidget):
         self.notice = ""
         self.scale, self.origin = 1.0, QPointF(0.0, 0.0)
         self._fitted, self._background, self._grip = True, None, None
-        self._still, self._still_of = None, ()
+        self._still: Any = None
+        self._still_of: tuple[Any, ...] = ()
         self.say = self.failed.emit
 
     def show_picture(self, levels, size_px):
@@ -246,7 +248,7 @@ class PictureCanvas(QWidget):
         if self._background is None or self._background.devicePixelRatioF() != self.devicePixelRatioF():
             self._background, self._still_of = self._scaled(), ()
         present = self.drawing.still, self.brush
-        if len(self._still_of) != len(present) or any(a is not b for a, b in zip(self._still_of, present)):
+        if not same(self._still_of, present):
             self._still, self._still_of = self._with_still(), present
         painter.drawPixmap(0, 0, self._still)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
