@@ -149,7 +149,8 @@ def _still(draft, evidence, ground, others):
 def _add_terrain(lines, labels, session, shown, terrestrial):
     camera, pose, ground = session.draft.camera, session.draft.pose, session.ground
     if CRESTS in shown:
-        lines.append(Line(CRESTS, *ground.crests.project(camera, pose), dots=True))
+        x, y = ground.crests.project(camera, pose)
+        lines.append(Line(CRESTS, x, y, dots=True))
     if MAP in shown:
         for trace in terrestrial.traces:
             place = project(camera, pose, trace.azimuth_deg, trace.elevation_deg)
