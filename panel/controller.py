@@ -234,7 +234,7 @@ class PhotoView:
         self.figures.stop()
         self.cursors.stop()
         cancel_viewsheds()
-        self.layers.let_go()
+        self.layers.stop()
         self.session.stop()
         self.marks.remove()
         self.iface.removeDockWidget(self.dock)

@@ -67,6 +67,13 @@ class Layers:
         else:
             self.say(tr("The layer has no photographs."))
 
+    def stop(self):
+        """Follow nothing more; the panel goes."""
+        self.let_go()
+        self._edited.stop()
+        self.dock.layer_box.layerChanged.disconnect(self.set_layer)
+        self.dock.dem_box.layerChanged.disconnect(self.set_dem)
+
     def let_go(self):
         """Follow the layer no more."""
         if self._layer is not None:

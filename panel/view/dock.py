@@ -83,6 +83,7 @@ class PhotoViewDock(QgsDockWidget):
 
     def _lay_out(self):
         form = QFormLayout()
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         form.addRow(tr("Photos"), self.layer_box)
         form.addRow(tr("Elevation model"), self.dem_box)
         self.review_bar = self._review_bar()
@@ -170,8 +171,8 @@ class PhotoViewDock(QgsDockWidget):
         return button
 
     def _review_bar(self):
-        bar, row = QWidget(), QHBoxLayout()
-        row.setContentsMargins(0, 0, 0, 0)
+        bar, whole, buttons, row = QWidget(), QVBoxLayout(), Flow(), QHBoxLayout()
+        whole.setContentsMargins(0, 0, 0, 0)
         for spec in verdict_specs():
             action = make_action(spec, self)
             action.setText(f"{spec.text} ({key_text(spec.key)})")
@@ -181,13 +182,15 @@ class PhotoViewDock(QgsDockWidget):
             button = QToolButton()
             button.setDefaultAction(action)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            row.addWidget(button)
+            buttons.addWidget(button)
         self.progress, self.count_label = QProgressBar(), QLabel()
         self.progress.setTextVisible(False)  # some themes write it in the colour of the bar
         self.progress.setAccessibleName(tr("Reviewed photographs"))
         row.addWidget(self.progress, 1)
         row.addWidget(self.count_label)
-        bar.setLayout(row)
+        whole.addLayout(buttons)
+        whole.addLayout(row)
+        bar.setLayout(whole)
         bar.hide()
         return bar
 

@@ -148,6 +148,7 @@ def test_map_layers_follow_the_pose(panel):
 def test_every_button_is_in_sight_whatever_the_width(panel, width):
     from qgis.PyQt.QtWidgets import QToolButton
 
+    panel.hand.press("review")
     inside = panel.view.dock.widget()
     inside.setParent(None)
     inside.resize(width, 800)
@@ -155,6 +156,9 @@ def test_every_button_is_in_sight_whatever_the_width(panel, width):
     QTest.qWait(50)
     shown = {button.defaultAction(): button for button in inside.findChildren(QToolButton) if button.isVisible()}
     wanted = [action for name, action in panel.view.dock.actions.items() if name in TOOL_ROW]
+    verdicts = [shown[action] for action in panel.view.dock.verdicts.values()]
+    assert all(button.geometry().right() < inside.width() and button.height() > 10 for button in verdicts)
+    assert inside.width() == width  # nothing makes it wider
     assert len(wanted) > 20 and set(wanted) <= set(shown)
     assert all(shown[a].x() >= 0 and shown[a].geometry().right() < inside.width() for a in wanted)
     corners = {(shown[a].x(), shown[a].y()) for a in wanted}
