@@ -13,7 +13,7 @@ from .figures import Figures
 from .layers import Layers
 from .model.correcting import Correction
 from .model.faults import guarded
-from .model.overlays import drawn
+from .model.overlays import Overlays
 from .model.session import Session
 from .model.viewsheds import ViewshedRun, cancel_viewsheds, highlight_viewsheds
 from .terrestrials import Terrestrials
@@ -21,7 +21,8 @@ from .view.dock import PhotoViewDock
 from .view.map_marks import MapMarks
 from .words import photo_words
 
-SOON_MS = 15
+SOON_MS = 4
+"""The mouse may move more than once before the next frame is drawn."""
 
 
 class PhotoView:
@@ -42,7 +43,7 @@ class PhotoView:
         self.cursors = Cursors(self)
         self.figures = Figures(self)
         self.layers = Layers(self)
-        self._review = False
+        self._review, self._overlays = False, Overlays()
         self._soon = QTimer(self.dock)
         self._soon.setSingleShot(True)
         self._soon.setInterval(SOON_MS)
@@ -190,6 +191,10 @@ class PhotoView:
 
     @guarded
     def _show_draft(self):
+        if not self._soon.isActive():  # begun anew, it would wait until the mouse rests
+            self._soon.start()
+        if self.session.live is not None:
+            return
         if self.session.item is not None:
             history = self.session.history
             self.dock.strip.mark(self.session.item.fid, self.session.item.status, bool(history and history.changed))
@@ -197,7 +202,6 @@ class PhotoView:
         history = self.session.history
         self.dock.actions["undo"].setEnabled(bool(history and history.can_undo))
         self.dock.actions["redo"].setEnabled(bool(history and history.can_redo))
-        self._soon.start()
         self._show_marks()
         self.terrestrials.look_again()
 
@@ -205,9 +209,11 @@ class PhotoView:
     def draw(self):
         """Draw the overlays of the present state."""
         draft = self.session.draft
-        brush = draft.brush if draft else ()
-        lines, labels = drawn(self.session, self.dock.shown, self.terrestrials.found)
-        self.dock.canvas.show_overlays(lines, labels, brush)
+        drawing = self._overlays.drawn(self.session, self.dock.shown, self.terrestrials.found)
+        self.dock.canvas.show_overlays(drawing, draft.brush if draft else ())
+        if self.session.live is not None:
+            self.dock.show_photo_words(*photo_words(self.session))
+            self._show_marks()
 
     @guarded
     def _show_marks(self, *_):
@@ -228,7 +234,7 @@ class PhotoView:
         self.figures.stop()
         self.cursors.stop()
         cancel_viewsheds()
-        self.layers.let_go()
+        self.layers.stop()
         self.session.stop()
         self.marks.remove()
         self.iface.removeDockWidget(self.dock)

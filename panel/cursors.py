@@ -39,7 +39,9 @@ class Cursors:
 
     @guarded
     def hover(self, x_px, y_px):
-        """The mouse is at a pixel of the picture."""
+        """The mouse is at a pixel of the picture; while it drags the horizon, no place belongs to the pixel."""
+        if self.view.session.live is not None:
+            return
         self._pixel, self._point = (x_px, y_px), None
         self._set_spot(None)
         if not self._timer.isActive():

@@ -55,14 +55,24 @@ class Layers:
         layer.willBeDeleted.connect(self._layer_goes)
         layer.afterRollBack.connect(self._start_over)
         layer.undoStack().indexChanged.connect(self._note_edit)
+        layer.subsetStringChanged.connect(self._note_edit)
+        self._begin(layer)
+
+    def _begin(self, layer):
         self.session.set_layer(photo_layer.PhotoLayer(layer, self.view.project))
-        self.dock.strip.show_photos(self.session.photos.files(), self.session.photos.column("status"))
         self._mark_all()
         chosen = layer.selectedFeatureIds() or self.session.photos.ids()
         if chosen:
             self.select(chosen[0])
         else:
             self.say(tr("The layer has no photographs."))
+
+    def stop(self):
+        """Follow nothing more; the panel goes."""
+        self.let_go()
+        self._edited.stop()
+        self.dock.layer_box.layerChanged.disconnect(self.set_layer)
+        self.dock.dem_box.layerChanged.disconnect(self.set_dem)
 
     def let_go(self):
         """Follow the layer no more."""
@@ -71,6 +81,7 @@ class Layers:
             self._layer.willBeDeleted.disconnect(self._layer_goes)
             self._layer.afterRollBack.disconnect(self._start_over)
             self._layer.undoStack().indexChanged.disconnect(self._note_edit)
+            self._layer.subsetStringChanged.disconnect(self._note_edit)
         self._layer = None
 
     @guarded
@@ -114,21 +125,37 @@ class Layers:
     @guarded
     def _start_over(self):
         """Show what the layer has after its edits were thrown away."""
+        if self.session.photos is None:
+            self._note_edit()
+            return
         self.session.start_over()
         self._mark_all()
 
-    def _note_edit(self, index):
+    def _note_edit(self, *_):
         self._edited.start()
 
     @guarded
     def _follow_edits(self):
-        """Show what the layer has after an edit, an undo or a redo, whoever made it."""
-        if self._layer is not None:
+        """Show what the layer has after an edit, an undo or a redo, whoever made it, or with another filter."""
+        if self._layer is None:
+            return
+        fault, photos = photo_layer.layer_fault(self._layer), self.session.photos
+        if fault:
+            self._show_none(fault)
+        elif photos is None or photos.path_field != photo_layer.path_field(self._layer):
+            self._begin(self._layer)
+        else:
             self.session.look_again()
             self._mark_all()
-            self.view.show_progress()
+        self.view.show_progress()
 
     def _mark_all(self):
+        """Let the strip show the photographs that there are, and mark those with an unkept correction."""
+        files = self.session.photos.files()
+        if files != self.dock.strip.files:
+            self.dock.strip.show_photos(files, self.session.photos.column("status"))
+            if self.session.item is not None:
+                self.dock.strip.select(self.session.item.fid)
         unkept = self.session.unkept()
         for fid, status in self.session.photos.column("status").items():
             self.dock.strip.mark(fid, status, fid in unkept)

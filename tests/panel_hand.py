@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, Qt
@@ -13,6 +14,11 @@ OFF_DEG = 5.0
 """The layer's headings are wrong by so much."""
 
 LONGEST_S = 60
+MISS_SHARE = 0.008
+"""A person misses a place of the picture by so much of its width."""
+
+LARGE_ROLL_DEG = 1.5
+"""A roll that is wrong by more is corrected first."""
 
 
 def write_photos(path, scene, off_deg=OFF_DEG, folder=None):
@@ -58,22 +64,22 @@ class Hand:
         x, y = self.canvas.to_widget(x_px, y_px)
         return QPoint(round(x), round(y))
 
-    def _send(self, kind, place, button, buttons, modifiers=Qt.KeyboardModifier.NoModifier):
+    def send(self, kind, place, button, buttons, modifiers=Qt.KeyboardModifier.NoModifier):
         event = QMouseEvent(kind, QPointF(place), button, buttons, modifiers)
         QApplication.sendEvent(self.canvas, event)
 
     def hover(self, x_px, y_px):
         none = Qt.MouseButton.NoButton
-        self._send(QEvent.Type.MouseMove, self.at(x_px, y_px), none, none)
+        self.send(QEvent.Type.MouseMove, self.at(x_px, y_px), none, none)
 
     def drag(self, *places, button=Qt.MouseButton.LeftButton, modifiers=Qt.KeyboardModifier.NoModifier):
         self.steps += 1
         start, *rest = [self.at(*place) for place in places]
-        self._send(QEvent.Type.MouseButtonPress, start, button, button, modifiers)
+        self.send(QEvent.Type.MouseButtonPress, start, button, button, modifiers)
         for place in rest:
-            self._send(QEvent.Type.MouseMove, place, Qt.MouseButton.NoButton, button, modifiers)
+            self.send(QEvent.Type.MouseMove, place, Qt.MouseButton.NoButton, button, modifiers)
         none = Qt.MouseButton.NoButton
-        self._send(QEvent.Type.MouseButtonRelease, (rest or [start])[-1], button, none, modifiers)
+        self.send(QEvent.Type.MouseButtonRelease, (rest or [start])[-1], button, none, modifiers)
 
     def click(self, x_px, y_px, button=Qt.MouseButton.LeftButton):
         self.drag((x_px, y_px), button=button)
@@ -93,6 +99,25 @@ class Hand:
     def key(self, key, modifier=Qt.KeyboardModifier.NoModifier):
         self.steps += 1
         QTest.keyClick(self.canvas, key, modifier)
+
+    def hold(self, pose):
+        """Where a person takes hold of the drawn horizon, and to where they drag it for a pose, with a small error."""
+        from skyline_viewshed.core.base.camera import project, unproject
+
+        camera = self.draft.camera
+        grip = camera.width_px / 2, camera.height_px / 2
+        x, y = map(float, project(camera, pose, *unproject(camera, self.draft.pose, *grip)))
+        return grip, (x + MISS_SHARE * camera.width_px, y - MISS_SHARE * camera.width_px)
+
+    def drag_to(self, pose):
+        """Drag the drawn horizon to where a pose has it; a large roll is turned away first."""
+        roll_deg, width = pose.roll_deg - self.draft.pose.roll_deg, self.draft.camera.width_px
+        if abs(roll_deg) > LARGE_ROLL_DEG:
+            (x, y), turn, radius = self.hold(pose)[0], math.radians(roll_deg + 0.7), 0.4 * width
+            end = (x + radius * math.cos(turn), y - radius * math.sin(turn))
+            self.drag((x + radius, y), end, button=Qt.MouseButton.RightButton)
+        grip, goal = self.hold(pose)
+        self.drag(grip, tuple((a + b) / 2 for a, b in zip(grip, goal)), goal)
 
     def click_map(self, longitude_deg, latitude_deg):
         """Click on the map, through the tool that waits for it."""

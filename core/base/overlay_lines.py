@@ -7,11 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .angles import difference
-from .camera import Camera, Pose, project
+from .camera import Camera, Pose, project_vectors
+from .directions import OUTSIDE, Directions
 from .model import HorizonProfile, OrientedPhoto, Skyline
-
-OUTSIDE = 0.25
-"""Distance beyond the picture's edge at which a line is cut, as a share of the picture's size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +38,7 @@ class OverlayLine:
 
 
 def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> OverlayLine:
-    """Project a DEM horizon into the picture of a camera.
+    """Project a DEM horizon into the picture of a camera; see `HorizonLines.line`.
 
     Parameters
     ----------
@@ -48,24 +46,50 @@ def horizon_line(horizon: HorizonProfile, camera: Camera, pose: Pose) -> Overlay
     camera : Camera
         Camera of the full upright picture.
     pose : Pose
-
-    Returns
-    -------
-    OverlayLine
-        Line from left to right, ordered by azimuth about the heading; it breaks at directions behind the camera, far
-        outside the frame, or without a known horizon.
     """
-    azimuth = np.asarray(horizon.azimuth_deg, float)
-    turn = difference(azimuth, pose.heading_deg)
-    order = np.argsort(turn, kind="stable")
-    x, y = project(camera, pose, azimuth[order], np.asarray(horizon.elevation_deg, float)[order])
-    doubtful = (np.asarray(horizon.clipped, bool) | np.asarray(horizon.void, bool))[order]
-    margin_x, margin_y = OUTSIDE * camera.width_px, OUTSIDE * camera.height_px
-    with np.errstate(invalid="ignore"):
-        near = (x > -margin_x) & (x < camera.width_px + margin_x)
-        near &= (y > -margin_y) & (y < camera.height_px + margin_y)
-    near = _with_neighbours(near) & np.isfinite(x) & np.isfinite(y)
-    return _trimmed(np.where(near, x, np.nan), np.where(near, y, np.nan), doubtful)
+    return HorizonLines(horizon).line(camera, pose)
+
+
+class HorizonLines:
+    """Lines of one DEM horizon in pictures of one pose after another.
+
+    Parameters
+    ----------
+    horizon : HorizonProfile
+    """
+
+    def __init__(self, horizon: HorizonProfile) -> None:
+        self.azimuth_deg = np.asarray(horizon.azimuth_deg, float)
+        self.directions = Directions.of(self.azimuth_deg, horizon.elevation_deg)
+        self.doubtful = np.asarray(horizon.clipped, bool) | np.asarray(horizon.void, bool)
+
+    def line(self, camera: Camera, pose: Pose) -> OverlayLine:
+        """Project the horizon.
+
+        Parameters
+        ----------
+        camera : Camera
+            Camera of the full upright picture.
+        pose : Pose
+
+        Returns
+        -------
+        OverlayLine
+            Line from left to right, ordered by azimuth about the heading; it breaks at directions behind the camera,
+            far outside the frame, or without a known horizon.
+        """
+        ahead = self.directions.ahead(camera, pose)
+        for _ in range(2):  # the vertex beyond the margin, and one more at which the line breaks
+            ahead = ahead | np.roll(ahead, 1) | np.roll(ahead, -1)
+        chosen = np.flatnonzero(ahead)
+        chosen = chosen[np.argsort(difference(self.azimuth_deg[chosen], pose.heading_deg), kind="stable")]
+        x, y = project_vectors(camera, pose, *self.directions.vectors[:, chosen])
+        margin_x, margin_y = OUTSIDE * camera.width_px, OUTSIDE * camera.height_px
+        with np.errstate(invalid="ignore"):
+            near = (x > -margin_x) & (x < camera.width_px + margin_x)
+            near &= (y > -margin_y) & (y < camera.height_px + margin_y)
+        near = _with_neighbours(near) & np.isfinite(x) & np.isfinite(y)
+        return _trimmed(np.where(near, x, np.nan), np.where(near, y, np.nan), self.doubtful[chosen])
 
 
 def skyline_line(skyline: Skyline, width_px: int, height_px: int) -> OverlayLine:

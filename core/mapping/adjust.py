@@ -12,7 +12,7 @@ import numpy as np
 from ..base.angles import wrap_360
 from ..base.camera import Camera, Pose, focal_of_fov_px, in_frame, project, unproject
 from ..base.curvature import apparent_drop_m
-from ..base.overlay_lines import horizon_line, skyline_line
+from ..base.overlay_lines import HorizonLines, skyline_line
 
 STEEPEST_DEG = 85.0
 """Largest pitch in either direction [degrees]."""
@@ -145,9 +145,9 @@ def levelled(camera, pose, horizon, skyline):
     Pose
         The same pose if horizon and skyline have no column in common.
     """
-    line = skyline_line(skyline, camera.width_px, camera.height_px)
+    line, lines = skyline_line(skyline, camera.width_px, camera.height_px), HorizonLines(horizon)
     for _ in range(6):
-        shown = horizon_line(horizon, camera, pose)
+        shown = lines.line(camera, pose)
         known = np.isfinite(shown.x_px) & np.isfinite(shown.y_px)
         order = np.argsort(shown.x_px[known], kind="stable")
         if order.size < 2:

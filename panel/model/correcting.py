@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...algorithms.shared.i18n import in_users_language, tr
+from ...core.base.angles import difference
 from ...core.base.camera import Pose
 from ...core.base.errors import SkylineViewshedError
 from ...core.mapping import adjust
@@ -91,7 +92,7 @@ class Correction:
         self.end()
 
     def face(self, longitude_deg, latitude_deg):
-        """Turn to a place of the map, level with the skyline."""
+        """Turn to a place of the map, level with the skyline. An answer that looks elsewhere gives no roll either."""
         from .ground import direction_of
 
         self.begin()
@@ -104,7 +105,10 @@ class Correction:
             session.told.emit(in_users_language(error.message))
             self.end()
             return
-        draft = self._start.placed(replace(self._start.pose, heading_deg=azimuth), "moved")
+        pose = self._start.pose
+        elsewhere = abs(difference(azimuth, pose.heading_deg)) > solving.FAR_DEG
+        pose = replace(pose, heading_deg=azimuth, roll_deg=0.0 if elsewhere else pose.roll_deg)
+        draft = self._start.placed(pose, "moved")
         session.live = solving.levelled_draft(draft, session.ground, session.evidence)
         self.end()
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ...core.base.angles import difference
+from ...core.base.directions import Directions
+from ...core.base.overlay_lines import HorizonLines
 from ...core.base.posed import PosedPhoto
 from ...core.base.terrain import Observer
 from ...core.base.uncertainty import PoseUncertainty
@@ -36,6 +39,21 @@ class Ground:
     observer: Observer
     horizon: Any
     ridges: Any
+
+    @cached_property
+    def frame(self):
+        """Frame around the eye, as far as anything is looked at."""
+        return self.terrain.frame(self.observer.longitude_deg, self.observer.latitude_deg, 1.01 * REACH_M)
+
+    @cached_property
+    def lines(self):
+        """The horizon, ready for one pose after another."""
+        return HorizonLines(self.horizon)
+
+    @cached_property
+    def crests(self):
+        """The crests, ready for one pose after another."""
+        return Directions.of(self.ridges.azimuth_deg, self.ridges.elevation_deg)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,9 +152,9 @@ def _options():
 
 def view_of(ground, posed):
     """Open the view of a posed photograph."""
-    from ...core.base.view import open_view
+    from ...core.base.view import View
 
-    return open_view(ground.terrain, posed, REACH_M)
+    return View(posed, ground.frame, ground.observer.eye_elevation_m)
 
 
 def place_of(ground, posed, x_px, y_px):
@@ -248,24 +266,7 @@ def wedge_of(ground, posed, length_m):
     azimuth = np.radians(np.linspace(centre - width / 2, centre + width / 2, 25))
     east = np.r_[0.0, length_m * np.sin(azimuth), 0.0]
     north = np.r_[0.0, length_m * np.cos(azimuth), 0.0]
-    frame = ground.terrain.frame(ground.observer.longitude_deg, ground.observer.latitude_deg, 1.01 * length_m)
-    return _positions(ground.terrain, frame, east, north)
-
-
-def summits_of(ground, posed, given):
-    """Visible summits all around the eye: (name, azimuth, elevation angle) [degrees], most important first.
-
-    Parameters
-    ----------
-    ground : Ground
-    posed : PosedPhoto
-    given : list or None
-        From `summit_input.read_summits`; None finds summits in the DEM.
-    """
-    from ...algorithms.shared.summit_input import Summitry
-
-    shown = Summitry(ground.terrain, given).shown(view_of(ground, posed), _options(), all_round=True)
-    return [(summit.mark.words, summit.azimuth_deg, summit.elevation_deg) for summit in shown if summit.visible]
+    return _positions(ground.terrain, ground.frame, east, north)
 
 
 def places_of(ground, posed, points):

@@ -9,10 +9,10 @@ from qgis.core import QgsProcessingContext, QgsProcessingException, QgsVectorLay
 
 from ...algorithms.shared.image_features import ImageFeatures, Placement, read_map_features
 from ...algorithms.shared.map_places import to_dem_transform
-from ...algorithms.shared.summit_input import read_summits
+from ...algorithms.shared.summit_input import Summitry, read_summits
 from ...algorithms.shared.views import OpenedPhoto
 from ...core.base.progress import SILENT
-from .ground import REACH_M, posed_photo, summits_of, view_of
+from .ground import REACH_M, posed_photo, view_of
 from .overlays import Trace
 
 MOST_FEATURES = 3_000
@@ -162,5 +162,19 @@ def read_summit_layer(layer, dem_crs, project):
 
 
 def visible_summits(ground, camera, pose, given):
-    """Names and directions of the summits in view all around; see `ground.summits_of`."""
-    return summits_of(ground, posed_photo(ground, camera, pose), given)
+    """Visible summits all around the eye: (name, azimuth, elevation angle) [degrees], most important first.
+
+    Parameters
+    ----------
+    ground : Ground
+    camera : Camera
+    pose : Pose
+    given : list or None
+        From `summit_input.read_summits`; None finds summits in the DEM.
+    """
+    from ...core.mapping.sightline import SightOptions
+
+    options = SightOptions(max_distance_m=REACH_M)
+    view = view_of(ground, posed_photo(ground, camera, pose))
+    shown = Summitry(ground.terrain, given).shown(view, options, all_round=True)
+    return [(summit.mark.words, summit.azimuth_deg, summit.elevation_deg) for summit in shown if summit.visible]

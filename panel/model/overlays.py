@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ...core.base.camera import in_frame, project
-from ...core.base.overlay_lines import horizon_line, skyline_line
+from ...core.base.overlay_lines import skyline_line
+from .identity import same
 
 HORIZON, CRESTS, SKYLINE, OTHERS = "horizon", "crests", "skyline", "alternatives"
 SUMMITS, GRATICULE, MAP = "summits", "graticule", "map"
@@ -72,72 +73,101 @@ class Terrestrial:
     summits: list = field(default_factory=list)
 
 
-def drawn(session, shown, terrestrial):
-    """Lines and labels of the present state.
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """All that is drawn over the picture.
 
-    Parameters
+    Attributes
     ----------
-    session : Session
-    shown : set of str
-        Of `KINDS`.
-    terrestrial : Terrestrial
-
-    Returns
-    -------
-    lines : list of Line
+    still : tuple of Line
+        Lines that do not follow the pose; the same tuple as long as they are the same.
+    moving : list of Line
     labels : list of Label
     """
-    draft, ground = session.draft, session.ground
-    if draft is None:
-        return [], []
-    lines: list[Line] = []
+
+    still: tuple = ()
+    moving: list = field(default_factory=list)
+    labels: list = field(default_factory=list)
+
+
+class Overlays:
+    """Draws the present state; what does not follow the pose is kept from one frame of a drag to the next."""
+
+    def __init__(self):
+        self._for: tuple[Any, ...] = ()
+        self._still: tuple[Line, ...] = ()
+        self._still_labels: list[Label] = []
+
+    def drawn(self, session, shown, terrestrial):
+        """Give the lines and labels of the present state.
+
+        Parameters
+        ----------
+        session : Session
+        shown : set of str
+            Of `KINDS`.
+        terrestrial : Terrestrial
+
+        Returns
+        -------
+        Drawing
+        """
+        draft = session.draft
+        if draft is None:
+            return Drawing()
+        others = session.alternatives if OTHERS in shown and draft.pose is not None else ()
+        evidence = session.evidence if SKYLINE in shown else None
+        present = evidence, session.ground, others, draft.camera, draft.strokes, draft.brush, draft.anew
+        if not same(self._for, present):
+            self._for = present
+            self._still, self._still_labels = _still(draft, evidence, session.ground, others)
+        lines: list[Line] = []
+        labels = list(self._still_labels)
+        if draft.pose is not None:
+            if GRATICULE in shown:
+                _add_graticule(lines, labels, draft.camera, draft.pose)
+            if session.ground is not None:
+                _add_terrain(lines, labels, session, shown, terrestrial)
+        for mark in draft.landmarks:
+            lines.append(Line("landmark", np.array([mark.x_px]), np.array([mark.y_px]), dots=True))
+        return Drawing(self._still, lines, labels)
+
+
+def _still(draft, evidence, ground, others):
+    """Lines and labels that stay where they are while the pose changes."""
+    lines: list[Line] = [] if evidence is None else _skyline(draft, evidence)
     labels: list[Label] = []
-    camera, pose = draft.camera, draft.pose
-    if SKYLINE in shown and session.evidence is not None:
-        lines += _skyline(session)
     for stroke in draft.strokes:
         lines.append(Line("drawn", *np.asarray(stroke, float).reshape(-1, 2).T))
-    if pose is not None:
-        if GRATICULE in shown:
-            _add_graticule(lines, labels, camera, pose)
-        if OTHERS in shown:
-            for number, other in session.alternatives:
-                lines.append(_horizon(OTHERS, ground, camera, other))
-                labels += _at_top(OTHERS, str(number), lines[-1], camera)
-        if ground is not None:
-            _add_terrain(lines, labels, session, shown, terrestrial)
-    for mark in draft.landmarks:
-        lines.append(Line("landmark", np.array([mark.x_px]), np.array([mark.y_px]), dots=True))
-    return lines, labels
+    for number, pose in others:
+        line = ground.lines.line(draft.camera, pose)
+        lines.append(Line(OTHERS, line.x_px, line.y_px))
+        labels += _at_top(OTHERS, str(number), lines[-1], draft.camera)
+    return tuple(lines), labels
 
 
 def _add_terrain(lines, labels, session, shown, terrestrial):
     camera, pose, ground = session.draft.camera, session.draft.pose, session.ground
     if CRESTS in shown:
-        lines.append(Line(CRESTS, *project(camera, pose, ground.ridges.azimuth_deg, ground.ridges.elevation_deg), True))
+        x, y = ground.crests.project(camera, pose)
+        lines.append(Line(CRESTS, x, y, dots=True))
     if MAP in shown:
         for trace in terrestrial.traces:
             place = project(camera, pose, trace.azimuth_deg, trace.elevation_deg)
             lines.append(Line(MAP if trace.visible else "hidden", *place))
         labels += _named(MAP, camera, pose, terrestrial.names)
     if HORIZON in shown:
-        line = horizon_line(ground.horizon, camera, pose)
+        line = ground.lines.line(camera, pose)
         lines += [Line(HORIZON, *line.part(False)), Line("doubtful", *line.part(True))]
     if SUMMITS in shown:
         labels += _named(SUMMITS, camera, pose, terrestrial.summits)
 
 
-def _horizon(kind, ground, camera, pose):
-    line = horizon_line(ground.horizon, camera, pose)
-    return Line(kind, line.x_px, line.y_px)
-
-
-def _skyline(session):
+def _skyline(draft, evidence):
     """Extracted skyline with what a person did to it."""
     from ...core.skyline.repair import full_size_line
     from .solving import skyline_of
 
-    draft, evidence = session.draft, session.evidence
     line, rows = skyline_of(draft, evidence)
     if line is not None:
         return []

@@ -145,7 +145,9 @@ class PhotoLayer:
     def item(self, fid):
         """Read one photograph; None if the feature does not exist any more."""
         feature = self.layer.getFeature(fid)
-        if not feature.isValid():
+        if not feature.isValid() or (
+            self.layer.subsetString() and fid not in self.ids()
+        ):  # GDAL gives a hidden one too
             return None
         wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
         transform = QgsCoordinateTransform(self.layer.crs(), wgs84, self.project.transformContext())

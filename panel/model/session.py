@@ -11,16 +11,19 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...algorithms.shared.i18n import in_users_language, tr
 from ...algorithms.shared.photo_points import NOMINAL_WIDTH_PX, is_field_of_view, pinhole
-from ...core.base.camera import Camera, Pose, focal_from_35mm_px
+from ...core.base.camera import Camera, focal_from_35mm_px
 from ...core.base.errors import SkylineViewshedError
 from . import ground as grounds
 from . import solving
 from .aids import aids_folder, read_aids
+from .alternatives import Alternatives
 from .draft import Draft, History
 from .lanes import Lane
 from .pictures import PictureStore
 
 MOST_DRAFTS = 500
+STATIONS = 4
+"""Eyes whose horizons are kept: the present one and its neighbours, about 4 MB each."""
 
 
 class DemHolder:
@@ -49,7 +52,7 @@ class DemHolder:
         from ...core.pipeline import HorizonCache
 
         if not hasattr(self._opened, "cache"):
-            self._opened.cache = HorizonCache()
+            self._opened.cache = HorizonCache(STATIONS)
         return self._opened.cache
 
 
@@ -91,7 +94,7 @@ class Session(QObject):
         self.picture_lane, self.terrain_lane, self.solving_lane = Lane(self), Lane(self), Lane(self)
         self.pictures = PictureStore(self.picture_lane)
         self.photos = self.dem = None
-        self._histories = OrderedDict()
+        self._histories, self._alternatives = OrderedDict(), Alternatives()
         self._forget()
 
     def _forget(self):
@@ -124,17 +127,8 @@ class Session(QObject):
 
     @property
     def alternatives(self):
-        """Further headings of the point: [(number, Pose), ...], put onto the extracted skyline."""
-        if self.item is None or self.ground is None or self.draft is None:
-            return []
-        found = []
-        for number in (2, 3):
-            heading = self.item.values[f"heading_{number}"]
-            if heading is not None:
-                base = self.item.pose or Pose(heading)
-                draft = replace(self.draft, pose=replace(base, heading_deg=heading))
-                found.append((number, solving.levelled_draft(draft, self.ground, self.evidence).pose))
-        return found
+        """Further headings of the point: ((number, Pose), ...), put onto the extracted skyline."""
+        return self._alternatives.of(self)
 
     def unkept(self):
         """Identifiers of the photographs with a correction that the layer does not have."""
@@ -181,8 +175,8 @@ class Session(QObject):
             return
         item = self.photos.item(fid)
         if item is None:
-            self.told.emit(tr("The photograph is no longer in the layer."))
             self.clear()
+            self.told.emit(tr("The photograph is no longer in the layer."))
             return
         self._cancel()
         self._forget()

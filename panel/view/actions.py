@@ -13,7 +13,10 @@ from ...algorithms.shared.i18n import tr
 
 @dataclass(frozen=True)
 class Spec:
-    """An action; `key` is (key, Ctrl, Shift) or None, and `tool` makes it one of the exclusive tools."""
+    """An action; without an `icon`, its button shows its key.
+
+    `key` is (key, Ctrl, Shift) or None, and `tool` makes it one of the exclusive tools.
+    """
 
     name: str
     text: str
@@ -38,13 +41,13 @@ def specs():
         Spec("correct", tr("Correct"), "mActionMoveFeature", (Qt.Key.Key_C, False, False),
              tr("Drag the horizon. The right button or Shift turns it, the wheel changes the field of view. Arrow "
                 "keys, comma, full stop, plus and minus do the same."), True),
-        Spec("landmark", tr("Landmark"), "pin", (Qt.Key.Key_M, False, False),
+        Spec("landmark", tr("Landmark"), "mActionAddMarker", (Qt.Key.Key_M, False, False),
              tr("Click a point in the picture, then the same point on the map."), True),
         Spec("draw", tr("Draw skyline"), "mActionStreamingDigitize", (Qt.Key.Key_W, False, False),
              tr("Draw the whole skyline by hand; the extracted one is ignored."), True),
         Spec("repair", tr("Repair skyline"), "mActionReshape", (Qt.Key.Key_E, False, False),
              tr("Draw over a wrong stretch of the extracted skyline."), True),
-        Spec("brush", tr("Mask"), "mActionAnnotation", (Qt.Key.Key_B, False, False),
+        Spec("brush", tr("Mask"), "mIconSnappingArea", (Qt.Key.Key_B, False, False),
              tr("Brush over what hides the skyline: flags, clouds, people, trees."), True),
         Spec("distance", tr("Measure distance"), "mActionMeasure", None,
              tr("Click points in the picture: distance and height difference on the ground."), True, True),
@@ -61,9 +64,9 @@ def specs():
              tr("Click a place on the map: the camera turns to it."), False, True),
         Spec("snap", tr("Snap"), "mIconSnapping", (Qt.Key.Key_F, False, False),
              tr("Fit the horizon to the picture from where it is.")),
-        Spec("second", tr("Use alternative 2"), "mActionLabelAnchorStart", (Qt.Key.Key_2, False, False),
+        Spec("second", tr("Use alternative 2"), "", (Qt.Key.Key_2, False, False),
              tr("Take the second-best heading of the table, and fit from there.")),
-        Spec("third", tr("Use alternative 3"), "mActionLabelAnchorEnd", (Qt.Key.Key_3, False, False),
+        Spec("third", tr("Use alternative 3"), "", (Qt.Key.Key_3, False, False),
              tr("Take the third-best heading of the table, and fit from there.")),
         Spec("undo", tr("Undo"), "mActionUndo", (Qt.Key.Key_Z, True, False), tr("Take the last change back.")),
         Spec("redo", tr("Redo"), "mActionRedo", (Qt.Key.Key_Z, True, True), tr("Make the change again.")),
@@ -109,7 +112,11 @@ def key_text(key):
 
 def make_action(spec, parent):
     """Make the action; its key is in the tooltip, since `Keys` handles it."""
-    action = QAction(QgsApplication.getThemeIcon(f"/{spec.icon}.svg"), spec.text, parent)
+    action = QAction(spec.text, parent)
+    if spec.icon:
+        action.setIcon(QgsApplication.getThemeIcon(f"/{spec.icon}.svg"))
+    else:
+        action.setIconText(key_text(spec.key))
     action.setCheckable(spec.tool)
     key = f" ({key_text(spec.key)})" if spec.key else ""
     action.setToolTip(f"<b>{spec.text}</b>{key}<br>{spec.tip}")

@@ -5,36 +5,32 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QPointF, QRectF, QSizeF, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QTextOption
+from qgis.PyQt.QtGui import QColor, QCursor, QPainter, QPixmap
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...algorithms.shared.i18n import tr
 from ..model.faults import guarded
+from ..model.identity import same
+from ..model.overlays import Drawing
+from .painting import paint_brush, paint_label, paint_line, paint_notice
 
-PENS = {
-    "horizon": ("#ff3b30", 2.0, False),
-    "doubtful": ("#ff3b30", 2.0, True),
-    "crests": ("#ffb340", 2.5, False),
-    "skyline": ("#34c3ff", 1.6, False),
-    "alternatives": ("#c77dff", 1.6, True),
-    "graticule": ("#ffffff", 0.8, True),
-    "map": ("#ffe94d", 1.8, False),
-    "hidden": ("#ffffff", 1.2, True),
-    "summits": ("#ffffff", 1.4, False),
-    "drawn": ("#4cff88", 2.4, False),
-    "landmark": ("#ff5bd1", 9.0, False),
-    "sketch": ("#4cff88", 2.0, False),
-    "spot": ("#4cff88", 12.0, False),
-}
-"""Colour, width [pixels of the screen] and whether dashed, by kind of line."""
-
-CASING = QColor(16, 21, 28, 150)
-BRUSH = QColor(255, 60, 60, 110)
 NOTCH = 120.0
 """Angle of one notch of a wheel, in Qt's eighths of a degree."""
 
-ZOOM_PER_NOTCH = 1.25
+ZOOM_PER_NOTCH, FINER = 2.0, 20.0
+"""Factor of one notch and how much smaller its step is with Ctrl, as in QGIS, where the user may set the first."""
+
+PAN_SHARE = 0.25
+"""Share of the widget by which an arrow key moves the picture, as in the map canvas."""
+
+ARROWS = {
+    Qt.Key.Key_Left: (1, 0),
+    Qt.Key.Key_Right: (-1, 0),
+    Qt.Key.Key_Up: (0, 1),
+    Qt.Key.Key_Down: (0, -1),
+}
 MOST_ZOOM = 16.0
 """Screen pixels per pixel of the picture."""
 
@@ -56,20 +52,22 @@ class PictureCanvas(QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setMouseTracking(True)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(240, 160)
         self.setAccessibleName(tr("Photograph"))
         self.tool: Any = None
         self.levels: Any = ()
         self.size_px: Any = None
-        self.lines: list[Any] = []
-        self.labels: list[Any] = []
+        self.drawing: Any = Drawing()
         self.brush: tuple[Any, ...] = ()
         self.sketch: list[Any] = []
         self.spot: Any = None
         self.notice = ""
         self.scale, self.origin = 1.0, QPointF(0.0, 0.0)
         self._fitted, self._background, self._grip = True, None, None
+        self._still: Any = None
+        self._still_of: tuple[Any, ...] = ()
         self.say = self.failed.emit
 
     def show_picture(self, levels, size_px):
@@ -80,10 +78,26 @@ class PictureCanvas(QWidget):
             self.fit()
         self.update()
 
-    def show_overlays(self, lines, labels, brush=()):
-        """Replace the lines, labels and brushed parts."""
-        self.lines, self.labels, self.brush = lines, labels, brush
+    def show_overlays(self, drawing, brush=()):
+        """Replace the lines, labels and brushed parts.
+
+        Parameters
+        ----------
+        drawing : Drawing
+        brush : tuple of BrushStroke
+        """
+        self.drawing, self.brush = drawing, brush
         self.update()
+
+    @property
+    def lines(self):
+        """All lines."""
+        return [*self.drawing.still, *self.drawing.moving]
+
+    @property
+    def labels(self):
+        """All labels."""
+        return self.drawing.labels
 
     def fit(self):
         """Show the whole picture."""
@@ -125,10 +139,17 @@ class PictureCanvas(QWidget):
         """Begin to pan, or pass the press to the tool."""
         self.setFocus()
         if event.button() == Qt.MouseButton.MiddleButton or self._pans(event):
-            self._grip = event.pos(), QPointF(self.origin)
-            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+            self._take_grip(event.pos())
         elif self.tool is not None and self.size_px is not None:
             self.tool.press(self.to_picture(event.pos()), event)
+
+    def _take_grip(self, place):
+        self._grip = place, QPointF(self.origin)
+        self.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def _let_go(self):
+        self._grip = None
+        self.unsetCursor()
 
     def _pans(self, event):
         free = self.tool is None or self.tool.pans
@@ -139,8 +160,7 @@ class PictureCanvas(QWidget):
         """Pan, or pass the move on and report the pixel under the mouse."""
         if self._grip is not None:
             start, origin = self._grip
-            self.origin, self._fitted, self._background = origin + QPointF(event.pos() - start), False, None
-            self.update()
+            self._move_to(origin + QPointF(event.pos() - start))
             return
         place = self.to_picture(event.pos())
         if self.tool is not None and self.size_px is not None:
@@ -154,8 +174,7 @@ class PictureCanvas(QWidget):
     def mouseReleaseEvent(self, event):
         """End what the press began."""
         if self._grip is not None:
-            self._grip = None
-            self.unsetCursor()
+            self._let_go()
         elif self.tool is not None and self.size_px is not None:
             self.tool.release(self.to_picture(event.pos()), event)
 
@@ -173,18 +192,48 @@ class PictureCanvas(QWidget):
 
     @guarded
     def wheelEvent(self, event):
-        """Zoom the picture, unless the tool takes the wheel; with Ctrl it never does."""
+        """Zoom the picture as the map, unless the tool takes the wheel, which it does not with Ctrl."""
         notches = event.angleDelta().y() / NOTCH
-        control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        if self.tool is not None and not control and self.tool.wheel(notches, self.to_picture(event.position())):
+        control = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        wheels = self.tool is not None and self.tool.wheels
+        if wheels and not control:
+            self.tool.wheel(notches, self.to_picture(event.position()))
             return
-        self.zoom_by(ZOOM_PER_NOTCH**notches, QPointF(event.position()))
+        settings = QgsSettings()
+        if settings.value("qgis/reverse_wheel_zoom", False, type=bool):
+            notches = -notches
+        step = settings.value("qgis/zoom_factor", ZOOM_PER_NOTCH, type=float) - 1.0
+        self.zoom_by((1.0 + step / (FINER if control and not wheels else 1.0)) ** notches, QPointF(event.position()))
 
     @guarded
     def keyPressEvent(self, event):
-        """Give the keys to the tool first."""
-        if self.tool is None or not self.tool.key(event):
+        """Give the keys to the tool first; then arrows and a held space bar pan, plus and minus zoom, as on the map."""
+        key = event.key()
+        if self.tool is not None and self.tool.key(event):
+            return
+        if key in ARROWS:
+            right, down = ARROWS[key]
+            self._move_to(self.origin + PAN_SHARE * QPointF(right * self.width(), down * self.height()))
+        elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Minus):
+            self.zoom_by(ZOOM_PER_NOTCH if key == Qt.Key.Key_Plus else 1 / ZOOM_PER_NOTCH)
+        elif key == Qt.Key.Key_Space:
+            if not event.isAutoRepeat():
+                self._take_grip(self.mapFromGlobal(QCursor.pos()))
+        else:
             super().keyPressEvent(event)
+
+    @guarded
+    def keyReleaseEvent(self, event):
+        """End panning with the space bar."""
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._let_go()
+        else:
+            super().keyReleaseEvent(event)
+
+    def _move_to(self, origin):
+        if self.size_px is not None:
+            self.origin, self._fitted, self._background = origin, False, None
+            self.update()
 
     def resizeEvent(self, event):
         """Keep the whole picture in view."""
@@ -194,26 +243,43 @@ class PictureCanvas(QWidget):
 
     @guarded
     def paintEvent(self, event):
-        """Paint the picture, which is kept as it was last scaled, and the overlays over it."""
+        """Paint the picture with all that does not follow the pose, which is kept as a pixmap, and the rest over it."""
         painter = QPainter(self)
-        if self._background is None or self._background.size() != self.size():
-            self._background = self._scaled()
-        painter.drawPixmap(0, 0, self._background)
+        if self._background is None or self._background.devicePixelRatioF() != self.devicePixelRatioF():
+            self._background, self._still_of = self._scaled(), ()
+        present = self.drawing.still, self.brush
+        if not same(self._still_of, present):
+            self._still, self._still_of = self._with_still(), present
+        painter.drawPixmap(0, 0, self._still)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if self.brush and self.size_px is not None:
-            self._paint_brush(painter)
-        for line in (*self.lines, *self.sketch):
-            self._paint_line(painter, line)
+        for line in (*self.drawing.moving, *self.sketch):
+            paint_line(self, painter, line)
         taken: list[Any] = []
         for label in self.labels:
-            self._paint_label(painter, label, taken)
+            paint_label(self, painter, label, taken)
         if self.spot is not None:
             self.spot.paint(self, painter)
         if self.notice:
-            self._paint_notice(painter)
+            paint_notice(self, painter)
+
+    def _with_still(self):
+        """The background with what is brushed and with the lines that do not follow the pose."""
+        pixmap = QPixmap(self._background)
+        if self.size_px is None:
+            return pixmap
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_brush(self, painter)
+        for line in self.drawing.still:
+            paint_line(self, painter, line)
+        painter.end()
+        return pixmap
 
     def _scaled(self):
-        pixmap = QPixmap(self.size())
+        """The part of the picture that is in view, as fine as the screen."""
+        ratio = self.devicePixelRatioF()
+        pixmap = QPixmap(self.size() * ratio)
+        pixmap.setDevicePixelRatio(ratio)
         pixmap.fill(QColor(38, 40, 44))
         if self.size_px is None:
             return pixmap
@@ -223,7 +289,7 @@ class PictureCanvas(QWidget):
             painter.fillRect(whole, QColor(70, 74, 80))
             painter.end()
             return pixmap
-        fine = [level for level in self.levels if level.width() >= whole.width()]
+        fine = [level for level in self.levels if level.width() >= whole.width() * ratio]
         level = fine[-1] if fine else self.levels[0]
         shown = whole.intersected(QRectF(self.rect()))
         factor = level.width() / max(whole.width(), 1e-9)
@@ -232,54 +298,3 @@ class PictureCanvas(QWidget):
         painter.drawImage(shown, level, source)
         painter.end()
         return pixmap
-
-    def _paint_line(self, painter, line):
-        colour, width, dashed = PENS[line.kind]
-        x, y = self.to_widget(np.asarray(line.x_px, float), np.asarray(line.y_px, float))
-        near = (np.abs(x - self.width() / 2) < self.width()) & (np.abs(y - self.height() / 2) < self.height())
-        if line.dots:
-            points = QPolygonF([QPointF(a, b) for a, b in zip(x[near].tolist(), y[near].tolist())])
-            for shade, extra in ((CASING, 1.5), (QColor(colour), 0.0)):
-                painter.setPen(QPen(shade, width + extra, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-                painter.drawPoints(points)
-            return
-        style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
-        cuts = np.flatnonzero(~near)
-        runs = [run for run in np.split(np.arange(near.size), cuts) if run.size]
-        runs = [run if near[run[0]] else run[1:] for run in runs]
-        polygons = [QPolygonF([QPointF(x[k], y[k]) for k in run.tolist()]) for run in runs if run.size > 1]
-        for shade, extra in ((CASING, 1.6), (QColor(colour), 0.0)):
-            painter.setPen(QPen(shade, width + extra, style if extra == 0 else Qt.PenStyle.SolidLine))
-            for polygon in polygons:
-                painter.drawPolyline(polygon)
-
-    def _paint_brush(self, painter):
-        for stroke in self.brush:
-            pen = QPen(BRUSH, 2 * stroke.radius_px * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)
-            pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-            painter.setPen(pen)
-            points = [QPointF(*self.to_widget(*point)) for point in stroke.points]
-            painter.drawPolyline(QPolygonF(points if len(points) > 1 else points * 2))
-
-    def _paint_label(self, painter, label, taken):
-        """Paint a label unless a more important one has its place."""
-        x, y = self.to_widget(label.x_px, label.y_px)
-        metrics = QFontMetricsF(painter.font())
-        width, height = metrics.horizontalAdvance(label.text), metrics.height()
-        box = QRectF(min(x + 4, self.width() - width - 2), min(max(y - height - 3, 1), self.height() - height), width,
-                     height)  # fmt: skip
-        if not QRectF(self.rect()).contains(QPointF(x, y)) or any(box.intersects(other) for other in taken):
-            return
-        taken.append(box)
-        if label.kind in ("summits", "map"):
-            painter.setPen(QPen(QColor("#ffffff"), 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-            painter.drawPoint(QPointF(x, y))
-        painter.fillRect(box.adjusted(-2, 0, 2, 0), CASING)
-        painter.setPen(QColor(PENS[label.kind][0]))
-        painter.drawText(box, label.text, QTextOption(Qt.AlignmentFlag.AlignCenter))
-
-    def _paint_notice(self, painter):
-        layout = QTextOption(Qt.AlignmentFlag.AlignCenter)
-        layout.setWrapMode(QTextOption.WrapMode.WordWrap)
-        painter.setPen(QColor("#ffffff"))
-        painter.drawText(QRectF(self.rect()).adjusted(20, 20, -20, -20), self.notice, layout)

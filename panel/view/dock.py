@@ -59,8 +59,18 @@ class PhotoViewDock(QgsDockWidget):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._lay_out()
-        for watched in (self.canvas, self.strip):
+        self._order_focus()
+
+    def _order_focus(self):
+        """Let the Tab key go from top to bottom, and the keys work everywhere but in the boxes, which take letters."""
+        buttons = self.widget().findChildren(QToolButton)
+        bar = [button for button in buttons if self.review_bar.isAncestorOf(button)]
+        tools = [button for button in buttons if button not in bar]
+        for watched in (*buttons, self.canvas, self.strip):
             watched.installEventFilter(self.keys)
+        order = [self.layer_box, self.dem_box, *tools, self.canvas, *bar, self.strip]
+        for one, other in zip(order, order[1:]):
+            self.setTabOrder(one, other)
 
     def _layer_box(self, kinds, tip):
         box = QgsMapLayerComboBox()
@@ -73,6 +83,7 @@ class PhotoViewDock(QgsDockWidget):
 
     def _lay_out(self):
         form = QFormLayout()
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         form.addRow(tr("Photos"), self.layer_box)
         form.addRow(tr("Elevation model"), self.dem_box)
         self.review_bar = self._review_bar()
@@ -160,8 +171,8 @@ class PhotoViewDock(QgsDockWidget):
         return button
 
     def _review_bar(self):
-        bar, row = QWidget(), QHBoxLayout()
-        row.setContentsMargins(0, 0, 0, 0)
+        bar, whole, buttons, row = QWidget(), QVBoxLayout(), Flow(), QHBoxLayout()
+        whole.setContentsMargins(0, 0, 0, 0)
         for spec in verdict_specs():
             action = make_action(spec, self)
             action.setText(f"{spec.text} ({key_text(spec.key)})")
@@ -171,12 +182,15 @@ class PhotoViewDock(QgsDockWidget):
             button = QToolButton()
             button.setDefaultAction(action)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            row.addWidget(button)
-        self.progress = QProgressBar()
-        self.progress.setFormat("%v / %m")
+            buttons.addWidget(button)
+        self.progress, self.count_label = QProgressBar(), QLabel()
+        self.progress.setTextVisible(False)  # some themes write it in the colour of the bar
         self.progress.setAccessibleName(tr("Reviewed photographs"))
         row.addWidget(self.progress, 1)
-        bar.setLayout(row)
+        row.addWidget(self.count_label)
+        whole.addLayout(buttons)
+        whole.addLayout(row)
+        bar.setLayout(whole)
         bar.hide()
         return bar
 
@@ -205,3 +219,4 @@ class PhotoViewDock(QgsDockWidget):
             action.setEnabled(on)
         self.progress.setMaximum(max(count, 1))
         self.progress.setValue(done)
+        self.count_label.setText(f"{done} / {count}")

@@ -33,7 +33,7 @@ class Strip(QListWidget):
 
     def __init__(self, pictures, parent=None):
         super().__init__(parent)
-        self.pictures, self._rows, self._busy = pictures, {}, False
+        self.pictures, self.files, self._rows, self._busy = pictures, {}, {}, False
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setFlow(QListView.Flow.LeftToRight)
         self.setWrapping(False)
@@ -53,7 +53,7 @@ class Strip(QListWidget):
 
     def show_photos(self, files, statuses):
         """Show other photographs: (path, path of a picture that stands in for it) and status by identifier."""
-        self._busy = True
+        self._busy, self.files = True, dict(files)
         self.clear()
         self._rows = {}
         for row, (fid, (path, preview)) in enumerate(files.items()):
@@ -117,9 +117,16 @@ class Strip(QListWidget):
     def _take(self, fid, image):
         row = self._rows.get(fid)
         if row is not None:
-            self.item(row).setIcon(QIcon(QPixmap.fromImage(image)))
+            self.item(row).setIcon(_icon(QPixmap.fromImage(image)))
 
     def _blank(self, status):
         pixmap = QPixmap(THUMBNAIL_PX, THUMBNAIL_PX * 3 // 4)
         pixmap.fill(QColor(COLOURS.get(status, "#6e7781")))
-        return QIcon(pixmap)
+        return _icon(pixmap)
+
+
+def _icon(pixmap):
+    """The same picture whether it is selected or not; Qt would tint it with the colour of the selection."""
+    icon = QIcon(pixmap)
+    icon.addPixmap(pixmap, QIcon.Mode.Selected)
+    return icon

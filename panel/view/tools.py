@@ -31,6 +31,8 @@ class Tool:
     """
 
     pans = True
+    wheels = False
+    """Whether the tool takes the wheel, with which the picture is zoomed otherwise."""
 
     def __init__(self, canvas):
         self.canvas = canvas
@@ -45,8 +47,7 @@ class Tool:
         """A button comes up."""
 
     def wheel(self, notches, place):
-        """The wheel turns; True if the tool takes it."""
-        return False
+        """The wheel turns, if the tool takes it."""
 
     def key(self, event):
         """A key goes down; True if the tool takes it."""
@@ -70,7 +71,7 @@ class CorrectTool(Tool):
     correction : Correction
     """
 
-    pans = False
+    pans, wheels = False, True
 
     def __init__(self, canvas, correction):
         super().__init__(canvas)
@@ -101,7 +102,6 @@ class CorrectTool(Tool):
     def wheel(self, notches, place):
         """Change the focal length."""
         self.correction.zoom(notches, place)
-        return True
 
     def key(self, event):
         """Move by arrow keys, turn by comma and full stop, zoom by plus and minus."""

@@ -20,8 +20,8 @@ def photos(scene, tmp_path):
 
 
 @pytest.fixture
-def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
-    """Make a project with layers and open the panel on it; an unforeseen error of the panel fails the test."""
+def make_panel(qgis_app, qgis_iface, qgis_new_project):
+    """Open the panel on layers; an unforeseen error of the panel fails the test."""
     from skyline_viewshed.panel.controller import PhotoView
 
     QgsSettings().remove("skyline_viewshed")
@@ -33,13 +33,9 @@ def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
 
     QgsApplication.messageLog().messageReceived.connect(note)
 
-    def make(path, dem=True):
-        project = QgsProject.instance()
-        layer = QgsVectorLayer(str(path), "photos", "ogr")
-        assert layer.isValid()
-        layers = [layer]
-        if dem:
-            layers.append(QgsRasterLayer(str(scene.dem), "dem"))
+    def make(layer, dem):
+        project, layers = QgsProject.instance(), [layer, dem]
+        assert layer.isValid() and dem.isValid()
         project.addMapLayers(layers)
         project.setCrs(layers[-1].crs())
         canvas = qgis_iface.mapCanvas()
@@ -63,6 +59,12 @@ def make_view(qgis_app, qgis_iface, qgis_new_project, scene):
     gc.collect()
     QgsApplication.messageLog().messageReceived.disconnect(note)
     assert not faults, faults[0]
+
+
+@pytest.fixture
+def make_view(make_panel, scene):
+    """Open the panel on a file of photo points and the scene's elevation model."""
+    return lambda path: make_panel(QgsVectorLayer(str(path), "photos", "ogr"), QgsRasterLayer(str(scene.dem), "dem"))
 
 
 @pytest.fixture

@@ -100,7 +100,8 @@ def test_another_answer_of_the_table(panel, scene):
     panel.layer.rollBack()
 
 
-def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, photos):
+def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, photos, provider):
+    import processing
     from skyline_viewshed.panel.model.ground import place_of, posed_photo
 
     hand, session = panel.hand, panel.session
@@ -118,6 +119,12 @@ def test_landmarks_place_the_camera_and_are_kept_for_later_runs(panel, scene, ph
     assert [f["photo"] for f in table.getFeatures()] == [f"{scene.folder.name}/north.jpg"] * 2
     assert {"photo", "x", "y", "elevation"} <= {field.name() for field in table.fields()}
     assert len(read_aids(folder, session.item.path)[0]) == 2
+    given = {"INPUT": panel.layer, "DEM": str(scene.dem), "LANDMARKS": str(folder / "landmarks.geojson"),
+             "OUTPUT": "TEMPORARY_OUTPUT"}  # fmt: skip
+    found = {
+        row["filename"]: row for row in processing.run("skylineviewshed:orientphotos", given)["OUTPUT"].getFeatures()
+    }
+    assert abs(difference(found["north"]["heading"], scene.truth["north"].heading_deg)) < 0.5
     session.show(session.item.fid)
     hand.settle()
     assert len(hand.draft.landmarks) == 2
@@ -183,7 +190,7 @@ def test_facing_a_place_turns_the_camera(panel):
     eye = session.ground.observer
     hand.press("face")
     hand.click_map(eye.longitude_deg + 0.05, eye.latitude_deg)
-    assert hand.draft.pose.heading_deg == pytest.approx(90.0, abs=0.5)
+    assert hand.draft.pose.heading_deg == pytest.approx(90.0, abs=0.5) and hand.draft.pose.roll_deg == 0.0
     hand.press("undo")
     assert hand.draft.pose.heading_deg == pytest.approx(25.0)
 

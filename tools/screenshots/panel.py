@@ -9,7 +9,7 @@ import traceback
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer
-from qgis.PyQt.QtCore import Qt, QTimer
+from qgis.PyQt.QtCore import QEvent, Qt, QTimer
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QDockWidget
 from qgis.utils import iface, plugins
@@ -34,6 +34,14 @@ def shot(name):
     target.parent.mkdir(exist_ok=True)
     iface.mainWindow().grab().save(str(target))
     say(target.name)
+
+
+def frame(view, number):
+    """Save a picture of the panel's picture alone: a frame of the sequence of a rescue."""
+    QTest.qWait(100)
+    target = SHOTS / "frames" / f"{number}.png"
+    target.parent.mkdir(exist_ok=True)
+    view.dock.canvas.grab().save(str(target))
 
 
 def prepare():
@@ -101,12 +109,26 @@ def steps(points):
 
 def correct(view, hand, width, height):
     """Drag, snap, and point at the map."""
+    truth = hand.draft.pose
     hand.press("correct")
     hand.drag((0.5 * width, 0.4 * height), (0.53 * width, 0.45 * height), (0.56 * width, 0.47 * height))
     yield
     shot("dragged")
+    hand.drag((0.5 * width, 0.4 * height), (0.45 * width, 0.44 * height), (0.34 * width, 0.48 * height))
+    yield
+    frame(view, 0)
+    left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+    grip, goal = hand.hold(truth)
+    hand.send(QEvent.Type.MouseButtonPress, hand.at(*grip), left, left)
+    for number, share in enumerate((0.75, 1.0), 1):
+        place = [a + share * (b - a) for a, b in zip(grip, goal)]
+        hand.send(QEvent.Type.MouseMove, hand.at(*place), none, left)
+        yield
+        frame(view, number)
+    hand.send(QEvent.Type.MouseButtonRelease, hand.at(*goal), left, none)
     hand.press("snap")
     hand.settle()
+    frame(view, 3)
     shot("snapped")
     hand.press("look")
     ground = view.session.ground

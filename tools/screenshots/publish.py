@@ -12,12 +12,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-from PIL import Image
+from PIL import Image, ImageDraw
 
 LARGEST_BYTES = 195_000
 PANEL_BYTES = 80_000
 """The page of the Photo view has many pictures, and all together must stay small."""
 PAGE_WIDTH, PAGE_HEIGHT = 1180, 6000
+GAP = 6
+"""Between frames [pixels]."""
 ACCEPTED_BAR = (26, 127, 55)
 """Colour of the bar at the left of an accepted photo's card."""
 SHOWN_CARD = 2
@@ -31,6 +33,7 @@ def main(work, target):
     for raw in sorted((work / "raw").glob("*.png")):
         panel = raw.name.startswith("panel-")
         save_small(Image.open(raw).convert("RGB"), target / raw.name, PANEL_BYTES if panel else LARGEST_BYTES)
+    save_small(sequence(sorted((work / "frames").glob("*.png"))), target / "panel-sequence.png", PANEL_BYTES)
     report = work / "results" / "report.html"
     browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not (report.exists() and browser):
@@ -42,6 +45,26 @@ def main(work, target):
     save_small(page.crop((0, 0, PAGE_WIDTH, cards[0][1] + 12)), target / "report.png")
     save_small(card, target / "report_card.png")
     save_small(overview(card, Image.open(work / "strip.png").convert("RGB")), target / "overview.png")
+
+
+def sequence(paths):
+    """Put the skylines of the frames of a rescue side by side, in rows of two."""
+    frames = [skyline_part(Image.open(path).convert("RGB")) for path in paths]
+    width = PAGE_WIDTH // 2 - GAP
+    height = round(frames[0].height * width / frames[0].width)
+    rows = (len(frames) + 1) // 2
+    whole = Image.new("RGB", (2 * width + GAP, rows * (height + GAP) - GAP), "white")
+    for number, one in enumerate(frames):
+        small = one.resize((width, height), Image.LANCZOS)
+        ImageDraw.Draw(small).text((8, 6), str(number + 1), fill="white", font_size=24)
+        whole.paste(small, (number % 2 * (width + GAP), number // 2 * (height + GAP)))
+    return whole
+
+
+def skyline_part(frame):
+    """Give the part of a frame in which the horizon moves."""
+    width, height = frame.size
+    return frame.crop((round(0.14 * width), round(0.45 * height), round(0.86 * width), round(0.9 * height)))
 
 
 def photograph(browser, report):
