@@ -237,7 +237,9 @@ def orient_many(
 
     alone = subtask(whole, 0.0, JOINT_PART if joint else 1.0)
     answers = answers_of(orient_all(tasks, alone), tasks)
-    together = look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0)) if joint else answers
+    together = (
+        look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0), chosen) if joint else answers
+    )
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
         whole.report(1.0 if joint else (index + 1) / len(listed))

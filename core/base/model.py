@@ -148,12 +148,16 @@ class SkylineEvidence:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One distinct answer: pose, camera, and a score of the agreement with the picture (higher is better)."""
+    """One distinct answer: pose, camera, and a score of the agreement with the picture (higher is better).
+
+    `heading_sigma_deg` is the standard deviation of its heading if the answer is right [degrees]; None if unknown.
+    """
 
     pose: Pose
     camera: Camera
     score: float
     probability: float | None = None
+    heading_sigma_deg: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
