@@ -203,7 +203,8 @@ def look_again(tasks, photos, orient_all, progress, options=OrientOptions()):  #
     hints = {number: hint for number, hint in predictions(photos, known).items() if number in free}
     wanted = [(hint.applied(tasks[number][0]), tasks[number][1]) for number, hint in hints.items()]
     again = {}
-    for (number, hint), outcome in zip(hints.items(), orient_all(wanted, subtask(progress, 0.4, 1.0))):
+    outcomes = orient_all(wanted, subtask(progress, 0.4, 1.0))
+    for outcome, (number, hint) in zip(outcomes, hints.items()):
         found = None if outcome.error is not None else hint.found_in(outcome.value)
         if found is not None:
             again[number] = outcome.value
