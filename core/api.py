@@ -214,7 +214,7 @@ def orient_many(
     client : dask.distributed.Client or None
         Does the work on a Dask cluster, whose workers must reach the files by the same paths. See docs/scale.md.
     joint : bool
-        Let accepted photographs help the others of their walk; all results stay in memory (3 MB each) until the end.
+        Solve the photographs of a walk together (docs/walks.md); all results stay in memory (3 MB each) until the end.
 
     Yields
     ------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import traceback
+from functools import partial
 from pathlib import Path
 
 from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterNumber
@@ -224,10 +225,7 @@ def _oriented_together(requests, job, folder, told, share, workers):
     if not has_features():
         feedback.pushInfo(tr("Without OpenCV 4.4 or newer the photos are not compared by common features."))
     tasks = [(request, None) for request in requests]
-
-    def orient_all(tasks, part):
-        return outcomes_of(job, tasks, part, workers)
-
+    orient_all = partial(outcomes_of, job, workers=workers)
     together = look_again(tasks, photos, orient_all, progress, job.options)
     helped = [(before, after) for before, after in zip(photos, together) if before is not after]
     feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))

@@ -148,10 +148,7 @@ class SkylineEvidence:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One distinct answer: pose, camera, and a score of the agreement with the picture (higher is better).
-
-    `heading_sigma_deg` is the standard deviation of its heading if the answer is right [degrees]; None if unknown.
-    """
+    """One distinct answer: pose, camera, score (higher is better), and the heading's spread if the answer is right."""
 
     pose: Pose
     camera: Camera
@@ -179,8 +176,7 @@ class Orientation:
     curve_heading_deg, curve_score : (N,) arrays
         Headings over the whole circle [degrees] and the score at each, for curve and rose diagrams.
     ncc, ncc_second, sharpness : float or None
-        Normalised cross-correlation of image and DEM skyline at the answer and at the second peak, and sharpness of
-        the peak, as the paper's method defines them.
+        Correlation of image and DEM skyline at the answer and the second peak, and sharpness, as in the paper.
     residual_px : (w,) array or None
         Image skyline minus projected horizon along the columns of the reduced picture [pixels of the full picture].
     notes : tuple of Message or str

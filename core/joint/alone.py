@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..base.angles import difference
 from .circle import mixture
 
 USUAL_SIGMA_DEG = 1.0
@@ -48,11 +47,6 @@ class Alone:
         """Weigh the candidates by likelihood ratios (K,) against 'none of them'."""
         weighted = self.probability * ratio
         return replace(self, probability=weighted / (weighted.sum() + 1 - self.probability.sum()))
-
-    def nearest(self, heading_deg, reach_deg):
-        """Number of the likeliest candidate within a distance of a heading; None if there is none."""
-        near = np.abs(difference(self.heading_deg, heading_deg)) <= np.maximum(reach_deg, 3 * self.sigma_deg)
-        return int(np.where(near, self.probability, -1).argmax()) if near.any() else None
 
     def joined(self, candidate, temperature):
         """Add a candidate that was found near the heading that others predict.
