@@ -19,7 +19,7 @@ NEAR_M = 200.0
 MOST_TIES = 6
 """Neighbours with which a photograph is compared, the nearest in time."""
 TIE_SIGMA_DEG = 0.4
-"""Error of a turn from features: the lens. 27 ties of khumbu-trek are within 0.5 degrees of the known headings."""
+"""Error of a turn from features: the lens. 26 ties of khumbu-trek are within 0.5 degrees of the known headings."""
 PARALLAX_SHARE = 0.5
 """Share of the parallax at the horizon by which a turn is wrong: the features lie on both sides of that distance."""
 USUAL_DISTANCE_M = 5_000.0
