@@ -31,7 +31,8 @@ def evidence_weights(photos, poses, order):
     -------
     dict of int to float
     """
-    weights, before = {}, []
+    weights: dict = {}
+    before: list = []
     for number in order:
         azimuth, elevation = _skyline_directions(photos[number], poses[number])
         covered = np.zeros(len(azimuth), bool)

@@ -83,7 +83,10 @@ def beliefs(photos, alones, ties, with_compass=True):
     ties = [tie for tie in ties if alones[tie.one] is not None and alones[tie.other] is not None]
     trust = [-1.0 if alone is None or not len(alone.probability) else float(alone.probability[0]) for alone in alones]
     own, turns, groups = np.ones((len(photos), CELLS)), [], device_hours(photos) if with_compass else {}
-    weights, poses, readings, root_of = {}, {}, {}, {}
+    weights: dict = {}
+    poses: dict = {}
+    readings: dict = {}
+    root_of: dict = {}
     for tree in trees(len(photos), ties, trust):
         order = [number for number, _ in tree]
         poses.update(_poses(alones, tree))
