@@ -71,7 +71,8 @@ def ties_between(photos, progress):
     -------
     list of Tie
     """
-    pairs, known, found = near_pairs(photos), {}, []
+    pairs, found = near_pairs(photos), []
+    known: dict = {}
     for done, (one, other) in enumerate(pairs):
         checkpoint(progress, done / len(pairs))
         sigma_deg = _sigma_deg(photos[one], photos[other])
@@ -88,11 +89,14 @@ def ties_between(photos, progress):
 
 def near_pairs(photos):
     """Pairs of photographs to compare: each with the nearest in time of those close by."""
-    pairs = set()
+    pairs: set = set()
     for one, photo in enumerate(photos):
-        near = [other for other in range(len(photos)) if other != one and distance_m(photo, photos[other]) < NEAR_M]
-        near.sort(key=lambda other, photo=photo: (apart_s(photo, photos[other]), other))
-        pairs.update((min(one, other), max(one, other)) for other in near[:MOST_TIES])
+        near = [
+            (apart_s(photo, photos[other]), other)
+            for other in range(len(photos))
+            if other != one and distance_m(photo, photos[other]) < NEAR_M
+        ]
+        pairs.update((min(one, other), max(one, other)) for _, other in sorted(near)[:MOST_TIES])
     return sorted(pairs)
 
 
@@ -140,7 +144,8 @@ def trees(count, ties, trust):
     ends = np.array([(tie.one, tie.other) for tie in ties], int).reshape(-1, 2)
     graph = coo_matrix((variance, (ends[:, 0], ends[:, 1])), (count, count)).tocsr()
     between = {frozenset((tie.one, tie.other)): tie for tie in ties}
-    found, seen = [], set()
+    found = []
+    seen: set = set()
     for root in sorted(range(count), key=lambda number: (-trust[number], number)):
         if root in seen:
             continue
