@@ -95,8 +95,8 @@ bench-simulated: setup ## Accuracy and calibration on seeded simulated scenes: [
 	@$(PYTHON) benchmarks/bench_simulated.py --count $(or $(COUNT),240) --seed $(or $(SEED),1) --jobs $(or $(JOBS),1)
 
 .PHONY: bench-views
-bench-views: setup ## Headings of views cut from real photographs: DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]
-	@$(PYTHON) benchmarks/bench_views.py "$(DATA)" --count $(or $(COUNT),6) --seed $(or $(SEED),1) --compass $(COMPASS)
+bench-views: setup ## Headings of views cut from real photographs: DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior] [JOINT=1]
+	@$(PYTHON) benchmarks/bench_views.py "$(DATA)" --count $(or $(COUNT),6) --seed $(or $(SEED),1) --compass $(COMPASS) $(if $(JOINT),--joint)
 
 .PHONY: bench-regions
 bench-regions: setup ## Headings region by region, with nothing fitted on them: [DATA=../shared/data] [COMPASS=ignore|prior] [JOBS=1]

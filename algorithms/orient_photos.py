@@ -127,7 +127,7 @@ class OrientPhotos(DemAlgorithm):
             oriented_photos = orient_each(
                 requests, self.dem.open(), options, feedback, folder, SHARE, workers=workers, joint=joint
             )
-            for row, oriented in zip(rows, oriented_photos):
+            for oriented, row in zip(oriented_photos, rows):  # in this order the loop runs to its end
                 place = placing.of(row, oriented)
                 features.append(oriented_row(row, kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)

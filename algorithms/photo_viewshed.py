@@ -202,7 +202,7 @@ class PhotoViewshed(DemAlgorithm):
             oriented_photos = orient_each(
                 requests, dem, options, feedback, folders["ORIENTATIONS"], SHARE, ORIENTATION_PART, workers, joint
             )
-            for row, oriented in zip(photos.rows, oriented_photos):
+            for oriented, row in zip(oriented_photos, photos.rows):  # in this order the loop runs to its end
                 place = placing.of(row, oriented)
                 features.append(oriented_row(row, photos.kept, oriented, options.horizon.max_distance_m, place))
                 statuses.append(oriented.orientation.status)

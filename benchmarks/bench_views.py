@@ -1,4 +1,6 @@
-"""Measure views cut from real photographs: `make bench-views DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior]`.
+"""Measure views cut from real photographs.
+
+`make bench-views DATA=folder [COUNT=6] [SEED=1] [COMPASS=ignore|prior] [JOINT=1]`.
 
 A photograph whose pose is known contains every narrower view from the same place exactly, since a turn of the camera is
 a homography. From each photograph of the group `good` in `folder/truth.csv` (see bench_accuracy.py) COUNT views are
@@ -7,7 +9,8 @@ ridges that leave the frame, changed exposure, veil, grain and JPEG, and a focal
 real skies, snow and rock under new poses: they are harder than the photographs, and closer to them than simulated ones.
 Views of one photograph are not independent of each other, and their truth is that of the photograph's own fit, moved to
 its known heading. With COMPASS=prior each view gets a compass heading with the spread and the faults that
-`core.match.prior` assumes. The benchmark writes `build/views.json`.
+`core.match.prior` assumes. With JOINT=1 the views of each photograph are also solved together, as `JOINT` does with
+the photographs of a walk; the results alone are kept beside. The benchmark writes `build/views.json`.
 """
 
 from __future__ import annotations
@@ -23,12 +26,15 @@ import cv2
 import numpy as np
 from skyline_viewshed.core.base.angles import difference, wrap_360
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, project, unproject
+from skyline_viewshed.core.base.progress import SILENT
 from skyline_viewshed.core.base.terrain import Observer
-from skyline_viewshed.core.batch import HorizonCache, orient_request
+from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, orient_request
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
-from skyline_viewshed.core.match.prior import WIDE, CompassOptions, camera_prior, compass_prior
+from skyline_viewshed.core.many import look_again
+from skyline_viewshed.core.match.prior import WIDE, CompassOptions, HeadingPrior, camera_prior, compass_prior
 from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo, other_eyes
+from skyline_viewshed.core.workers.pool import Outcome
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bench_accuracy import dem_of, read_truth, request_of  # noqa: E402
@@ -49,6 +55,7 @@ def main(arguments=None):
     parser.add_argument("--count", type=int, default=6, help="views of each photograph")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--compass", choices=("ignore", "prior"), default="ignore")
+    parser.add_argument("--joint", action="store_true", help="also solve the views of each photograph together")
     parser.add_argument("--pictures", type=Path, help="keep the views in this folder")
     parser.add_argument("--output", type=Path, default=Path("build/views.json"))
     given = parser.parse_args(arguments)
@@ -68,6 +75,8 @@ def main(arguments=None):
         "summary": {**summary, "all": accuracy(rows)},
     }
     report["reliability"] = reliability(rows)
+    if given.joint:
+        report["summary"]["all, each alone"] = accuracy([r["alone"] for r in rows])
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(json.dumps(report, indent=1), encoding="utf-8")
     for name, counts in report["summary"].items():
@@ -95,6 +104,7 @@ def measure(folder, given):
         horizon = cache.profile(dem, observer, options.horizon)
         inner = cache.inner(dem, observer, options.inner)
         eyes = other_eyes(dem, observer, horizon, photo.metadata.altitude_m, options, cache)
+        views = []
         for number in range(given.count):
             # Each view has its own generator, so that a change of the base pose by hundredths of a degree affects few.
             generator = np.random.default_rng([given.seed, number, *line["photo"].encode()])
@@ -112,13 +122,31 @@ def measure(folder, given):
             started = time.process_time()
             setting = Setting(observer, camera_prior(metadata, known), hints, horizon, inner, other_eyes=eyes)
             view = replace(photo, metadata=metadata, pixels=pixels)
-            answer = orient_photo(view, dem, setting, options).orientation
+            oriented = replace(orient_photo(view, dem, setting, options), preview=pixels)
             spent = time.process_time() - started
             if given.pictures:
                 given.pictures.mkdir(parents=True, exist_ok=True)
                 name = given.pictures / f"{Path(line['photo']).stem}_{number}.jpg"
                 cv2.imencode(".jpg", np.ascontiguousarray(pixels[..., ::-1]))[1].tofile(name)
-            yield row_of(folder, line, number, camera, pose, heading, answer, spent)
+            row = row_of(folder, line, number, camera, pose, heading, oriented.orientation, spent)
+            views.append((view, setting, oriented, row, (folder, line, number, camera, pose, heading)))
+        yield from together(views, dem, given.compass) if given.joint and views else (row for *_, row, _ in views)
+
+
+def together(views, dem, compass):
+    """Solve the views of one photograph together; each row keeps the row of the view alone."""
+    options = OrientOptions(compass=compass)
+    tasks = [(PhotoRequest(str(number)), (view, setting)) for number, (view, setting, *_) in enumerate(views)]
+
+    def orient_all(tasks, _):
+        for request, (view, setting) in tasks:
+            prior = HeadingPrior(request.heading_deg, request.heading_tolerance_deg / 2, 0.01)
+            hinted = replace(setting, hints=Hints(heading=prior))
+            yield Outcome(replace(orient_photo(view, dem, hinted, options), preview=view.pixels))
+
+    found = look_again(tasks, [oriented for _, _, oriented, *_ in views], orient_all, SILENT, options)
+    for (*_, row, case), oriented in zip(views, found):
+        yield {**row_of(*case, oriented.orientation, row["cpu_s"]), "alone": row}
 
 
 def draw_view(base, generator):
@@ -214,6 +242,8 @@ def row_of(folder, line, number, camera, pose, heading_deg, answer, cpu_s):
 
 def line_of(row):
     """Format one result as a line of text."""
+    if "alone" in row:
+        return f"{line_of(row['alone'])} together {line_of({k: v for k, v in row.items() if k != 'alone'})[44:]}"
     error = "   none" if row["error_deg"] is None else f"{row['error_deg']:7.2f}"
     sure = "  - " if row["p_correct"] is None else f"{row['p_correct']:.2f}"
     return (

@@ -214,7 +214,7 @@ def orient_many(
     client : dask.distributed.Client or None
         Does the work on a Dask cluster, whose workers must reach the files by the same paths. See docs/scale.md.
     joint : bool
-        Let accepted photographs help the others of their walk; all results stay in memory (3 MB each) until the end.
+        Solve the photographs of a walk together (docs/walks.md); all results stay in memory (3 MB each) until the end.
 
     Yields
     ------
@@ -237,7 +237,9 @@ def orient_many(
 
     alone = subtask(whole, 0.0, JOINT_PART if joint else 1.0)
     answers = answers_of(orient_all(tasks, alone), tasks)
-    together = look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0)) if joint else answers
+    together = (
+        look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0), chosen) if joint else answers
+    )
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
         whole.report(1.0 if joint else (index + 1) / len(listed))

@@ -270,7 +270,7 @@ def _add_orient(commands: Any) -> None:
     parser.add_argument("--workers", type=int, default=0, metavar="N", help="processes (default: all cores but one)")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster that does the work (tcp://...)")
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="chunks, from which a repeated run goes on")
-    parser.add_argument("--joint", action="store_true", help="let accepted photos help the others of their walk")
+    parser.add_argument("--joint", action="store_true", help="solve the photos of a walk together")
     parser.add_argument("--use-altitude", action="store_true", help="put the eye at the recorded altitude")
     far, text = api.ViewshedOptions().max_distance_m, "range of viewsheds (default: %(default)g)"
     parser.add_argument("--viewshed-distance", type=float, default=far, metavar="M", help=text)

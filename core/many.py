@@ -13,7 +13,13 @@ from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import subtask
 from .io.photo import read_photo
-from .joint.hints import better, neighbour_hints
+from .joint.alone import alone_of
+from .joint.answers import Limits, answers_together
+from .joint.hints import predictions
+from .joint.lens import lens_ratios
+from .joint.pairs import ties_between
+from .joint.together import beliefs
+from .match.posterior import table
 from .paper.skyline import extract_skyline_paper
 from .pipeline import HorizonCache, OrientOptions
 from .skyline.evidence import skyline_evidence
@@ -165,8 +171,11 @@ def answers_of(outcomes, tasks):
             yield fallen(request.path, outcome.error, (f"{type(outcome.error).__name__}: {outcome.error}",))
 
 
-def look_again(tasks, photos, orient_all, progress):
-    """Orient again, with hints from their neighbours, the photographs that were not accepted by their skyline alone.
+def look_again(tasks, photos, orient_all, progress, options=OrientOptions()):  # noqa: B008 - frozen
+    """Solve the photographs of a walk together, after each has been oriented alone.
+
+    Where others predict a heading that a photograph has not found, it is oriented again near that heading before the
+    problem is solved.
 
     Parameters
     ----------
@@ -176,20 +185,35 @@ def look_again(tasks, photos, orient_all, progress):
     orient_all : callable
         Gives the outcomes of (tasks, progress) in order, as `outcomes_of` and `cluster_outcomes` do.
     progress : Progress
+    options : OrientOptions
+        Of the run.
 
     Returns
     -------
     list of OrientedPhoto
-        Photographs that were accepted, those without helpful neighbours, and those for which the user has given a
-        heading are the same objects.
+        Photographs for which the others say nothing, those that stay accepted, and those for which the user has given
+        a heading are the same objects.
     """
-    hints, photos = neighbour_hints(photos), list(photos)
-    hints = {index: hint for index, hint in hints.items() if tasks[index][0].heading_deg is None}
-    again = [(hint.applied(tasks[index][0]), tasks[index][1]) for index, hint in hints.items()]
-    for (index, hint), outcome in zip(hints.items(), orient_all(again, progress)):
-        if outcome.error is None:
-            photos[index] = better(photos[index], outcome.value, hint)
-    return photos
+    alones = [alone_of(photo) if photo.camera is not None else None for photo in photos]
+    alones = [alone and alone.favoured(ratio) for alone, ratio in zip(alones, lens_ratios(photos, alones))]
+    ties = ties_between(photos, subtask(progress, 0.0, 0.4))
+    with_compass = options.compass != "prior"  # then each photograph has used its reading already
+    known = beliefs(photos, alones, ties, with_compass)
+    free = {number for number, (request, _) in enumerate(tasks) if request is not None and request.heading_deg is None}
+    hints = {number: hint for number, hint in predictions(photos, known).items() if number in free}
+    wanted = [(hint.applied(tasks[number][0]), tasks[number][1]) for number, hint in hints.items()]
+    again = {}
+    outcomes = orient_all(wanted, subtask(progress, 0.4, 1.0))
+    for outcome, (number, hint) in zip(outcomes, hints.items()):
+        found = None if outcome.error is not None else hint.found_in(outcome.value)
+        if found is not None:
+            again[number] = outcome.value
+            alones[number] = alones[number].joined(found, table()["temperature"])
+    if again:
+        known = beliefs(photos, alones, ties, with_compass)
+    limits = Limits(options.robust.posterior.accept_at, options.robust.posterior.reject_below)
+    together = answers_together(photos, again, known, ties, limits)
+    return [after if number in free else photos[number] for number, after in enumerate(together)]
 
 
 def station_of(request):

@@ -3356,6 +3356,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Ohne OpenCV 4.4 oder neuer werden die Fotos nicht anhand gemeinsamer Bildmerkmale verglichen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos gained from their neighbours.</source>
         <translation>{count} Fotos gewannen durch ihre Nachbarn.</translation>
     </message>
@@ -3366,8 +3371,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Angenommene Fotos helfen denen, über die ihre eigene Horizontlinie nicht entscheidet: durch gemeinsame Bildmerkmale, wenn die Kamera nur gedreht wurde (erfordert OpenCV), und durch den Fehler des Kompasses, der sich innerhalb einer Stunde kaum ändert. Angenommene Antworten ändern sich nicht. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB je Foto.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Die Fotos helfen einander: durch gemeinsame Bildmerkmale innerhalb von 200 m (braucht OpenCV), durch den Fehler des Kompasses, der bei einem Gerät eine Stunde lang gleich bleibt, und durch die Brennweite ihres Objektivs. Wahrscheinlichkeit, Intervall und Status gelten dann für alle Fotos zusammen. Angenommene Antworten bleiben, sofern die anderen ihnen nicht widersprechen. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB pro Foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -6445,14 +6450,29 @@
         <translation>der Datenträger ist vielleicht voll</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>Features that it shares with {photos} gave the approximate heading.</source>
-        <translation>Gemeinsame Bildmerkmale mit {photos} ergaben die ungefähre Blickrichtung.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby decide the heading: no other heading fits all of them.</source>
+        <translation>Die in der Nähe aufgenommenen Fotos entscheiden die Blickrichtung: Keine andere passt zu allen.</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
-        <translation>Der Kompass, berichtigt um seinen Fehler von {error}° bei {count} Fotos derselben Stunde (etwa {photo}), ergab die ungefähre Blickrichtung.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>Photos taken nearby contradict this heading. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>In der Nähe aufgenommene Fotos widersprechen dieser Blickrichtung. Vergleichen Sie die Überlagerungen, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby suggest this heading but do not decide it. Check the overlay, or give an approximate heading or a landmark.</source>
+        <translation>Die in der Nähe aufgenommenen Fotos sprechen für diese Blickrichtung, entscheiden sie aber nicht. Prüfen Sie die Überlagerung, oder geben Sie eine ungefähre Blickrichtung oder eine Landmarke an.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>Features that it shares with {photos} helped to find the heading.</source>
+        <translation>Gemeinsame Bildmerkmale mit {photos} halfen, die Blickrichtung zu finden.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The error of the compass that it shares with {count} photos of the same hour (such as {photo}) helped to find the heading.</source>
+        <translation>Der Kompassfehler, den es mit {count} Fotos derselben Stunde teilt (etwa {photo}), half, die Blickrichtung zu finden.</translation>
     </message>
     <message>
         <location filename="../core/locate/build.py"/>

@@ -3356,6 +3356,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Sin OpenCV 4.4 o posterior, las fotos no se comparan por sus rasgos comunes.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos gained from their neighbours.</source>
         <translation>{count} fotos mejoraron gracias a sus vecinas.</translation>
     </message>
@@ -3366,8 +3371,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Las fotos aceptadas ayudan a aquellas que su propia línea del horizonte no decide: mediante rasgos comunes si la cámara solo giró (requiere OpenCV), y mediante el error de la brújula, que apenas cambia en una hora. Las respuestas aceptadas no cambian. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Las fotos se ayudan entre sí: por rasgos comunes a menos de 200 m (requiere OpenCV), por el error de la brújula, que un dispositivo mantiene durante una hora, y por la distancia focal de su objetivo. La probabilidad, el intervalo y el estado valen entonces para todas las fotos en conjunto. Las respuestas aceptadas se mantienen salvo que las demás las contradigan. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -6445,14 +6450,29 @@
         <translation>puede que el disco esté lleno</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>Features that it shares with {photos} gave the approximate heading.</source>
-        <translation>Los rasgos que comparte con {photos} dieron el rumbo aproximado.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby decide the heading: no other heading fits all of them.</source>
+        <translation>Las fotos tomadas cerca deciden el rumbo: ningún otro encaja con todas.</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
-        <translation>La brújula, corregida por su error de {error}° en {count} fotos de la misma hora (como {photo}), dio el rumbo aproximado.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>Photos taken nearby contradict this heading. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>Fotos tomadas cerca contradicen este rumbo. Compare las superposiciones, o dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby suggest this heading but do not decide it. Check the overlay, or give an approximate heading or a landmark.</source>
+        <translation>Las fotos tomadas cerca apuntan a este rumbo, pero no lo deciden. Compruebe la superposición, o dé un rumbo aproximado o un punto de referencia.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>Features that it shares with {photos} helped to find the heading.</source>
+        <translation>Los rasgos que comparte con {photos} ayudaron a encontrar el rumbo.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The error of the compass that it shares with {count} photos of the same hour (such as {photo}) helped to find the heading.</source>
+        <translation>El error de la brújula que comparte con {count} fotos de la misma hora (como {photo}) ayudó a encontrar el rumbo.</translation>
     </message>
     <message>
         <location filename="../core/locate/build.py"/>

@@ -3356,6 +3356,11 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Sans OpenCV 4.4 ou plus récent, les photos ne sont pas comparées par leurs points communs.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos gained from their neighbours.</source>
         <translation>{count} photos ont profité de leurs voisines.</translation>
     </message>
@@ -3366,8 +3371,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Accepted photos help those that their own skyline does not decide: by common features if the camera only turned (needs OpenCV), and by the error of the compass, which changes little within an hour. Accepted answers do not change. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Les photos acceptées aident celles que leur propre ligne d’horizon ne départage pas : par des points communs si l’appareil n’a fait que tourner (nécessite OpenCV), et par l’erreur de la boussole, qui change peu en une heure. Les réponses acceptées ne changent pas. Tous les résultats restent en mémoire jusqu’à la fin, environ 3 Mo par photo.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
+        <translation>Les photos s'entraident : par des points communs à moins de 200 m (nécessite OpenCV), par l'erreur de la boussole, qu'un appareil garde pendant une heure, et par la focale de leur objectif. Probabilité, intervalle et statut valent alors pour toutes les photos ensemble. Les réponses acceptées restent, sauf si les autres les contredisent. Tous les résultats restent en mémoire jusqu'à la fin, environ 3 Mo par photo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
@@ -6445,14 +6450,29 @@
         <translation>le disque est peut-être plein</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>Features that it shares with {photos} gave the approximate heading.</source>
-        <translation>Les points communs avec {photos} ont donné le cap approximatif.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby decide the heading: no other heading fits all of them.</source>
+        <translation>Les photos prises à proximité décident de l'azimut de visée : aucun autre ne convient à toutes.</translation>
     </message>
     <message>
-        <location filename="../core/joint/hints.py"/>
-        <source>The compass, corrected by its error of {error}° at {count} photos of the same hour (such as {photo}), gave the approximate heading.</source>
-        <translation>La boussole, corrigée de son erreur de {error}° sur {count} photos de la même heure (comme {photo}), a donné le cap approximatif.</translation>
+        <location filename="../core/joint/answers.py"/>
+        <source>Photos taken nearby contradict this heading. Compare the overlays, or give an approximate heading or a landmark.</source>
+        <translation>Des photos prises à proximité contredisent cet azimut. Comparez les superpositions, ou donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The photos taken nearby suggest this heading but do not decide it. Check the overlay, or give an approximate heading or a landmark.</source>
+        <translation>Les photos prises à proximité suggèrent cet azimut sans en décider. Vérifiez la superposition, ou donnez un azimut approché ou un point de repère.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>Features that it shares with {photos} helped to find the heading.</source>
+        <translation>Les points communs avec {photos} ont aidé à trouver l'azimut de visée.</translation>
+    </message>
+    <message>
+        <location filename="../core/joint/answers.py"/>
+        <source>The error of the compass that it shares with {count} photos of the same hour (such as {photo}) helped to find the heading.</source>
+        <translation>L'erreur de la boussole, commune à {count} photos de la même heure (comme {photo}), a aidé à trouver l'azimut de visée.</translation>
     </message>
     <message>
         <location filename="../core/locate/build.py"/>

@@ -61,7 +61,9 @@ def test_the_compass_has_the_faults_that_are_believed_of_it(bench):
 
 def test_one_view_of_a_real_photograph(bench, shared_data, tmp_path):
     output = tmp_path / "views.json"
-    bench.main([str(shared_data / "aletsch"), "--count", "1", "--compass", "prior", "--output", str(output)])
+    bench.main([str(shared_data / "aletsch"), "--count", "1", "--compass", "prior", "--joint", "--output", str(output)])
     report = json.loads(output.read_text(encoding="utf-8"))
     assert report["summary"]["all"]["photos"] == 1
-    assert report["views"][0]["status"] in ("accepted", "ambiguous", "rejected")
+    (view,) = report["views"]
+    assert view["status"] in ("accepted", "ambiguous", "rejected")
+    assert view["alone"]["error_deg"] == view["error_deg"], "one view has no neighbours"

@@ -124,13 +124,18 @@ class Hinted:
 
     @staticmethod
     def answer(path, heading_deg):
-        """Give a photograph: accepted at a heading, or else ambiguous at 200 degrees."""
+        """Give a photograph: accepted at a heading, with a second candidate beside it, or ambiguous at 200 degrees."""
         from skyline_viewshed.core.base.camera import Camera, Pose
         from skyline_viewshed.core.base.model import Candidate, Orientation, OrientedPhoto
 
-        camera, status = Camera(800, 600, 700.0), "ambiguous" if heading_deg is None else "accepted"
-        best = Candidate(Pose(200.0 if heading_deg is None else heading_deg, 0.0, 0.0), camera, 1.0)
-        return OrientedPhoto(path, Orientation(status, "", (best,)), camera=camera)
+        camera, status, certainty = Camera(800, 600, 700.0), "accepted", 0.98
+        if heading_deg is None:
+            heading_deg, status, certainty = 200.0, "ambiguous", 0.3
+        found = tuple(
+            Candidate(Pose(heading_deg + turn, 0.0, 0.0), camera, 1.0, share, 0.3)
+            for turn, share in ((0.0, certainty), (0.2, 0.01))
+        )
+        return OrientedPhoto(path, Orientation(status, "", found, p_correct=certainty), camera=camera)
 
     def __call__(self):
         """Return the function of one photograph."""

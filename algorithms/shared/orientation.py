@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import traceback
+from functools import partial
 from pathlib import Path
 
 from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterNumber
@@ -213,15 +214,19 @@ def _oriented_alone(requests, job, folder, told, share, workers):
 
 
 def _oriented_together(requests, job, folder, told, share, workers):
-    """Orient all photographs alone, then let those that were accepted help the others."""
+    """Orient all photographs alone, then solve them together."""
+    from ...core.joint.ties import has_features
     from ...core.many import JOINT_PART, look_again, outcomes_of
 
     middle, feedback = share[0] + JOINT_PART * (share[1] - share[0]), told.feedback
     photos = list(_oriented_alone(requests, job, folder, told, (share[0], middle, 1.0), workers))
     feedback.setProgressText(tr("Photographs that help one another"))
     progress = subtask(FeedbackProgress(feedback), middle, share[1])
+    if not has_features():
+        feedback.pushInfo(tr("Without OpenCV 4.4 or newer the photos are not compared by common features."))
     tasks = [(request, None) for request in requests]
-    together = look_again(tasks, photos, lambda tasks, part: outcomes_of(job, tasks, part, workers), progress)
+    orient_all = partial(outcomes_of, job, workers=workers)
+    together = look_again(tasks, photos, orient_all, progress, job.options)
     helped = [(before, after) for before, after in zip(photos, together) if before is not after]
     feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
     for before, after in helped:
@@ -233,10 +238,10 @@ def add_joint_parameter(algorithm):
     """Declare whether the photographs of a walk are oriented together."""
     parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False, optional=True)
     text = tr(
-        "Accepted photos help those that their own skyline does not decide: by common features if the "
-        "camera only turned (needs OpenCV), and by the error of the compass, which changes little "
-        "within an hour. Accepted answers do not change. All results stay in memory until the end, "
-        "about 3 MB per photo."
+        "The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the "
+        "compass, which one device shares for an hour, and by the focal length of their lens. Probability, "
+        "interval and status then hold for all photos together. Accepted answers stay unless the others "
+        "contradict them. All results stay in memory until the end, about 3 MB per photo."
     )
     algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 

@@ -148,12 +148,13 @@ class SkylineEvidence:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One distinct answer: pose, camera, and a score of the agreement with the picture (higher is better)."""
+    """One distinct answer: pose, camera, score (higher is better), and the heading's spread if the answer is right."""
 
     pose: Pose
     camera: Camera
     score: float
     probability: float | None = None
+    heading_sigma_deg: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,8 +176,7 @@ class Orientation:
     curve_heading_deg, curve_score : (N,) arrays
         Headings over the whole circle [degrees] and the score at each, for curve and rose diagrams.
     ncc, ncc_second, sharpness : float or None
-        Normalised cross-correlation of image and DEM skyline at the answer and at the second peak, and sharpness of
-        the peak, as the paper's method defines them.
+        Correlation of image and DEM skyline at the answer and the second peak, and sharpness, as in the paper.
     residual_px : (w,) array or None
         Image skyline minus projected horizon along the columns of the reduced picture [pixels of the full picture].
     notes : tuple of Message or str

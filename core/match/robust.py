@@ -90,9 +90,10 @@ def match_robust(inputs, options=RobustOptions(), progress=SILENT):  # noqa: B00
     inputs = inputs.behind if behind else inputs
     answers, probability = found.answers, found.probability
     finding, trials, score = answers.finding, answers.trials, answers.finding.score
+    sigma_deg = finding.sigma_deg * table()["sigma_factor"]
     candidates = tuple(
-        Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share))
-        for trial, value, share in zip(trials, score, probability)
+        Candidate(pose_of(trial), lens_of(full, trial), float(value), float(share), float(sigma))
+        for trial, value, share, sigma in zip(trials, score, probability, sigma_deg)
     )
     curve = answers.curve()
     residual, ncc = _skyline_residual(answers.objective, trials[:1], inputs.evidence, full)

@@ -1,71 +1,43 @@
-"""What accepted photographs tell about others, and that nothing gets worse."""
+"""Where a photograph is looked at again."""
 
 from __future__ import annotations
 
-from datetime import datetime, timedelta
-
 import pytest
-from skyline_viewshed.core.base.camera import Camera, Pose
-from skyline_viewshed.core.base.model import Candidate, Orientation, OrientedPhoto, PhotoMetadata
+from joint_walks import photo
+from skyline_viewshed.core.base.camera import Pose
 from skyline_viewshed.core.batch import PhotoRequest
-from skyline_viewshed.core.joint.hints import better, neighbour_hints
-
-CAMERA = Camera(800, 600, 700.0)
-
-
-def photo(name, status, heading, compass=None, minutes=0, camera="Phone"):
-    metadata = PhotoMetadata(
-        name, 800, 600, taken_at=datetime(2023, 10, 31, 9) + timedelta(minutes=minutes), camera=camera
-    )
-    candidates = () if heading is None else (Candidate(Pose(heading, 0.0, 0.0), CAMERA, 1.0),)
-    answer = Orientation(status, "", candidates)
-    return OrientedPhoto(name, answer, metadata, camera=CAMERA, compass_true_deg=compass)
+from skyline_viewshed.core.joint.circle import mixture
+from skyline_viewshed.core.joint.hints import NeighbourHint, predictions
+from skyline_viewshed.core.joint.together import Belief
 
 
-def walk(*others):
-    return [photo("a.jpg", "accepted", 358.0, 3.0), photo("b.jpg", "accepted", 100.0, 104.0, 10), *others]
+def belief(heading, probability, sigma=2.0, **helpers):
+    density = mixture([heading], [sigma], [probability])
+    return Belief(density, heading, probability, pose=Pose(heading), **(helpers or {"tied": (0,)}))
 
 
-def test_the_compass_is_corrected_by_its_error_at_accepted_photographs():
-    hints = neighbour_hints(walk(photo("x.jpg", "ambiguous", 250.0, 2.0, 30)))
-    assert list(hints) == [2] and hints[2].heading_deg == pytest.approx(357.5) and 4 < hints[2].sigma_deg < 6
-    assert "a.jpg" in hints[2].note and "4.5°" in hints[2].note
-    request = hints[2].applied(PhotoRequest("x.jpg"))
-    assert request.heading_deg == hints[2].heading_deg and request.heading_tolerance_deg == 2 * hints[2].sigma_deg
+def test_a_predicted_heading_becomes_a_hint_with_its_spread():
+    hints = predictions([photo("a.jpg", "ambiguous", [(250.0, 0.3)])], [belief(60.0, 0.9)])
+    assert list(hints) == [0] and hints[0].heading_deg == 60.0 and hints[0].sigma_deg == pytest.approx(2.0, rel=0.2)
+    request = hints[0].applied(PhotoRequest("a.jpg"))
+    assert request.heading_deg == 60.0 and request.heading_tolerance_deg == 2 * hints[0].sigma_deg
 
 
 @pytest.mark.parametrize(
-    "photos",
+    "own, known",
     [
-        walk(photo("x.jpg", "ambiguous", 250.0, 2.0, 90)),
-        walk(photo("x.jpg", "ambiguous", 250.0, 2.0, 5, "Other phone")),
-        walk(photo("x.jpg", "ambiguous", 250.0, None, 5)),
-        walk(photo("x.jpg", "failed", None, 2.0, 5)),
-        walk(photo("c.jpg", "accepted", 10.0, 100.0, 5), photo("x.jpg", "ambiguous", 250.0, 2.0, 6))[1:],
-        walk(photo("x.jpg", "ambiguous", 250.0, 2.0, 5))[1:],
+        ([(61.0, 0.3)], belief(60.0, 0.9)),
+        ([(250.0, 0.3)], belief(60.0, 0.2)),
+        ([(250.0, 0.3)], belief(60.0, 0.9, tied=())),
+        ([(250.0, 0.3)], None),
     ],
-    ids=["an hour later", "another camera", "no compass", "failed", "the errors disagree", "one reading"],
+    ids=["its own answer", "too unlikely", "nobody helped", "takes no part"],
 )
-def test_where_nothing_is_shared_there_is_no_hint(photos):
-    assert neighbour_hints(photos) == {}
+def test_no_second_look_is_needed(own, known):
+    assert predictions([photo("a.jpg", "ambiguous", own)], [known]) == {}
 
 
-@pytest.mark.parametrize(
-    "alone, again, taken",
-    [
-        (("ambiguous", 250.0), ("accepted", 357.0), True),
-        (("ambiguous", 356.0), ("accepted", 357.0), True),
-        (("ambiguous", 356.0), ("ambiguous", 357.5), False),
-        (("ambiguous", 250.0), ("ambiguous", 357.5), True),
-        (("ambiguous", 250.0), ("ambiguous", 90.0), False),
-        (("rejected", None), ("ambiguous", 357.5), True),
-        (("ambiguous", 250.0), ("rejected", None), False),
-    ],
-)
-def test_no_answer_is_lost(alone, again, taken):
-    hint = neighbour_hints(walk(photo("x.jpg", "ambiguous", 250.0, 2.0, 30)))[2]
-    alone, again = (photo("x.jpg", *values, 2.0, 30) for values in (alone, again))
-    chosen = better(alone, again, hint)
-    assert (chosen is alone) != taken
-    if taken:
-        assert chosen.heading_deg == again.heading_deg and chosen.orientation.notes[-1] == hint.note
+def test_the_hint_itself_is_no_answer_of_the_picture():
+    hint = NeighbourHint(60.0, 1.0)
+    assert hint.found_in(photo("a.jpg", "ambiguous", [(60.0, 0.6), (250.0, 0.2)])) is None
+    assert hint.found_in(photo("a.jpg", "ambiguous", [(60.0, 0.6), (61.0, 0.2)])).pose.heading_deg == 61.0

@@ -43,7 +43,7 @@ def views():
 def test_a_turn_is_found_to_a_quarter_of_a_degree(views):
     poses, pictures = views
     known = [(picture.shape, features(picture)) for picture in pictures[:2]]
-    rotation = turn_between(*known, CAMERA.focal_px, CAMERA.focal_px)
+    rotation, _ = turn_between(*known, CAMERA.focal_px, CAMERA.focal_px)
     found = turned(poses[0], rotation)
     assert abs(difference(found.heading_deg, poses[1].heading_deg)) < 0.25
     assert (found.pitch_deg, found.roll_deg) == pytest.approx((5.0, -3.0), abs=0.3)
