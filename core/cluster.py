@@ -140,7 +140,7 @@ def rows_with_files(work, tasks, folder, client=None, workers=1, progress=SILENT
     # Asked once: another run may work in the same folder, and a chunk must not get the rows of another.
     missing = [(chunk, file) for chunk, file in zip(chunks, files) if not file.exists()]
     fresh = _run(work, [chunk for chunk, _ in missing], client, workers, progress)
-    for (_, file), rows in zip(missing, fresh):
+    for rows, (_, file) in zip(fresh, missing):  # in this order, so that the work runs to its end
         with staged(file) as stage:
             (stage / file.name).write_text(json.dumps([_plain(row) for row in rows]), encoding="utf-8")
     for file in files:
