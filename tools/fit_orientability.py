@@ -28,8 +28,8 @@ from skyline_viewshed.core.planning import PredictOptions
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from orientability_figure import drawing  # noqa: E402
 
-FEATURES = ("log_relief", "log_cells", "gap", "log_hfov")
-RIDGE = 10.0
+FEATURES = ("gap", "log_relief")
+RIDGE = 3.0
 RASTERS = (".tif", ".tiff", ".hgt", ".vrt", ".asc", ".img")
 KINDS = ("photos", "views", "simulated")
 

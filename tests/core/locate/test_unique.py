@@ -94,10 +94,10 @@ def test_unknown_directions_stay_unknown():
 
 def test_the_probability_rises_with_each_quantity_and_falls_with_twins():
     entry = {"mean": 1.0, "spread": 0.5, "weight": 0.3}
-    weights = {"bias": 1.0, "features": dict.fromkeys(("log_relief", "log_cells", "gap", "log_hfov"), entry)}
+    weights = {"bias": 1.0, "features": dict.fromkeys(("gap", "log_relief"), entry)}
     values = np.array([1.0, 2.0, 4.0])
     same, none = np.full(3, 2.0), np.zeros(3)
-    for change in ("relief_deg", "cells", "gap", "twins"):
+    for change in ("relief_deg", "gap", "twins"):
         given = {"relief_deg": same, "cells": same, "gap": same / 2, "twins": none, "error_deg": none}
         traits = Traits(none, 3.0, none + 1, **{**given, change: values / 2 if change == "gap" else values})
         steps = np.diff(probability_of(traits, weights))
