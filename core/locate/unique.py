@@ -79,14 +79,10 @@ class Traits:
     ----------
     heading_deg : (H,) array
         Clockwise from true north [degrees].
-    hfov_deg : float
-        Horizontal field of view [degrees].
     known_share : (H,) array
         Share of the frame in which the horizon is known.
     relief_deg : (H,) array
         Spread of the horizon in the frame about a straight line [degrees].
-    cells : (H,) array
-        Number of DEM cells across the frame at the median distance of the horizon.
     gap : (H,) array
         Misfit of the best other direction, root mean square with a cap [tolerances].
     twins : (H,) array
@@ -96,10 +92,8 @@ class Traits:
     """
 
     heading_deg: np.ndarray
-    hfov_deg: float
     known_share: np.ndarray
     relief_deg: np.ndarray
-    cells: np.ndarray
     gap: np.ndarray
     twins: np.ndarray
     error_deg: np.ndarray
@@ -201,7 +195,7 @@ def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions
     around = (np.arange(count)[:, None] + offset) % count
     windows, weights = angle[around], np.where(known[around], 1 / sigma[around], 0.0)
     slope = (np.roll(angle, -1) - np.roll(angle, 1)) / (2 * options.step_deg)
-    found = {name: np.full(count, np.nan) for name in ("relief_deg", "cells", "gap", "twins", "error_deg")}
+    found = {name: np.full(count, np.nan) for name in ("relief_deg", "gap", "twins", "error_deg")}
     other_deg = np.abs((np.arange(count) * options.step_deg + 180) % 360 - 180)
     share = known[around].mean(axis=1)
     wanted = np.arange(count) if only is None else np.asarray(only)
@@ -225,8 +219,7 @@ def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions
         found["error_deg"][first] = min(error_deg, LARGEST_ERROR_DEG)
         line = np.polyval(np.polyfit(offset, windows[first], 1), offset)
         found["relief_deg"][first] = np.std(windows[first] - line)
-        found["cells"][first] = np.radians(hfov_deg) * far_m / cell_m
-    return Traits(np.arange(count) * options.step_deg, float(hfov_deg), known_share=share, **found)
+    return Traits(np.arange(count) * options.step_deg, known_share=share, **found)
 
 
 def features_of(traits):
