@@ -51,7 +51,14 @@ class TileWork:
 
 
 def one_after_the_other(work, tiles, progress):
-    """Yield what `work` gives for each tile, computed in this process."""
+    """Yield what `work` gives for each tile, computed in this process.
+
+    Parameters
+    ----------
+    work : TileWork
+    tiles : sequence of Tile
+    progress : Progress
+    """
     for number, tile in enumerate(tiles):
         yield work(tile, subtask(progress, number / len(tiles), (number + 1) / len(tiles)))
 
