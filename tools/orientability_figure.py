@@ -29,8 +29,8 @@ def drawing(groups, bands):
         wrong_share, right_share, area = roc(chance, is_right)
         parts.append(element("path", d=polyline_path(x(wrong_share), y(right_share)), class_=class_))
         at = TOP + SIDE - 46 + 16 * number
-        parts.append(line(LEFT + 74, at - 4, LEFT + 92, at - 4, class_))
-        parts.append(text(LEFT + 98, at, f"{name}: AUC {area:.2f}"))
+        parts.append(line(LEFT + 52, at - 4, LEFT + 70, at - 4, class_))
+        parts.append(text(LEFT + 76, at, f"{name}: AUC {area:.2f}"))
     x = Scale(0, 1, right, right + SIDE)
     largest = max(count for _, _, count in bands)
     for predicted, share, count in bands:
