@@ -40,7 +40,7 @@ def main(arguments=None):
     for kind in KINDS:
         parser.add_argument(f"--{kind}", type=Path, nargs="*", default=[])
     parser.add_argument("--write", action="store_true", help="write the table")
-    parser.add_argument("--figure", type=Path, help="draw the ROC curves and the calibration as SVG, of which docs have a picture")
+    parser.add_argument("--figure", type=Path, help="draw the ROC curves and the calibration as SVG")
     given = parser.parse_args(arguments)
     cases = [case for kind in KINDS for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
     cases = list(described(cases))
