@@ -106,6 +106,10 @@ bench-regions: setup ## Headings region by region, with nothing fitted on them: 
 bench-locate: setup ## Places of photographs whose position is withheld: [DATA=../shared/data]
 	@$(PYTHON) benchmarks/bench_locate.py "$(or $(DATA),../shared/data)"
 
+.PHONY: bench-index
+bench-index: setup ## Time, memory and size of an index of horizons: DEM=file [KM2="400 1600"]
+	@$(PYTHON) benchmarks/bench_index.py "$(DEM)" --km2 $(or $(KM2),400 1600)
+
 .PHONY: bench-monoplot
 bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on simulated scenes: [SCENES=60]
 	@$(PYTHON) benchmarks/bench_monoplot.py --scenes $(or $(SCENES),60)

@@ -29,7 +29,7 @@ from simulated_cases import LEVELS, ORDINARY, dem_of, dem_paths, draw_case, take
 LIMITS_DEG = (0.2, 0.5, 1.0, 3.0)
 BINS = (0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 0.99, 1.0001)
 FOV_BINS_DEG = (0, 12, 25, 45, 90)
-SHARES = {"perfect": 0.2, "exact": 0.2, "clean": 0.2, "full": 0.4, "adverse": 0.4}
+SHARES = {"perfect": 0.2, "exact": 0.2, "clean": 0.2, "full": 0.4, "adverse": 0.4, "anywhere": 0.4}
 
 
 def main(arguments=None):

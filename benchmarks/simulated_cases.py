@@ -27,14 +27,16 @@ from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 from skyline_viewshed.demo.viewpoint import ViewpointOptions, find_view
 
 ROOT = Path(__file__).resolve().parent.parent
-SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2, "adverse": 3}
+SEEDS = {"perfect": 0, "exact": 1, "clean": 1, "full": 2, "adverse": 3, "anywhere": 4}
 LEVELS = tuple(SEEDS)
 """perfect: the true skyline, drawn from the matcher's own DEM at the true position; exact: clear weather, ordinary
 lenses, 3 m GPS, on the matcher's own DEM; clean: the same scenes on mountains finer than the DEM; full: all of it;
 adverse: what went wrong on real photographs, in each picture: clouds above and before the ridge, a foreground, rolls to
-15 degrees, ultra-wide lenses, near terrain and an eye whose ground the DEM smooths."""
+15 degrees, ultra-wide lenses, near terrain and an eye whose ground the DEM smooths; anywhere: the weather and lenses of
+`full` at any place and in any direction with a horizon, also over flat ground and before near slopes."""
 ORDINARY = LEVELS[:4]
 """The levels that are measured unless others are asked for."""
+HARD = ("full", "adverse", "anywhere")
 
 REAL_DEMS = (
     "khumbu/dem/khumbu.tif",
@@ -123,9 +125,11 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
     options = ViewpointOptions(roll_sigma_deg=1.2 if clear else 2.8, largest_roll_deg=3.0 if clear else 8.0)
     if level == "adverse":
         options = ViewpointOptions(roll_sigma_deg=7.0, largest_roll_deg=15.0, near_m=10 * cell_m)
+    if level == "anywhere":
+        options = ViewpointOptions(near_m=2 * cell_m, least_relief_deg=0.0)
     observer, pose = find_view(dem, camera, generator, dem.position_of, options, terrain)
     scene_seed = int(generator.integers(2**31))
-    scene = SceneOptions(scene_seed) if level not in ("full", "adverse") else hard_scene(scene_seed)
+    scene = SceneOptions(scene_seed) if level not in HARD else hard_scene(scene_seed)
     if level == "adverse":
         scene = replace(
             scene,
@@ -141,7 +145,7 @@ def draw_case(seed, index, level, paths, long_side_px=1024):
             visibility_m=80_000 + 120_000 * generator.random(),
         )
     long_tail = min(3.0 - 7.0 * np.log(1 - generator.random()), 20.0)
-    sigma = {"perfect": 0.0, "exact": 3.0, "clean": 3.0, "full": long_tail, "adverse": long_tail}[level]
+    sigma = {"perfect": 0.0, "exact": 3.0, "clean": 3.0}.get(level, long_tail)
     east, north = sigma * np.sqrt(-np.log(1 - generator.random(2)))
     east, north = (np.array([east, north]) * np.sign(generator.random(2) - 0.5)).tolist()
     metadata = _metadata(generator, observer, camera, pose, f35, east, north, sigma)
@@ -176,7 +180,7 @@ def _draw_camera(generator, level, long_side):
     wrong = 0.0 if level == "perfect" else 0.012
     focal = np.hypot(width, height) * f35 / DIAGONAL_35MM * (1 + wrong * (2 * generator.random() - 1) * 1.7)
     k1 = 0.0
-    if level in ("full", "adverse") and f35 < 40 and generator.random() < 0.3:
+    if level in HARD and f35 < 40 and generator.random() < 0.3:
         k1 = -0.10 * generator.random()
     return Camera(width, height, float(focal), k1=float(k1)), f35
 

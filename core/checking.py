@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from .locate.fit import FitOptions, best_over_scales, curves_of, move
 from .locate.fitted import FittedPlaces, distinct
 from .locate.judge import ellipse
 from .pipeline import HorizonCache, OrientOptions
-from .searching import LocateOptions, SkylineProblem, horizons_at, lens, picture_of
+from .searching import LocateOptions, SkylineProblem, horizons_at, horizons_seen, lens, picture_of
 
 
 @dataclass(frozen=True)
@@ -130,9 +129,10 @@ def _around(problem, dem, oriented, options, progress):
     order = np.argsort(-found.score, kind="stable")
     starts = found.take(order[distinct(found.take(order), 120.0, 3)])
     steps = replace(FitOptions(), stages=((0.3, 3), (0.12, 2)), separation_m=100.0)
-    moved = move(problem, partial(horizons_at, dem, options.locate), starts, 250.0, steps, progress)
+    horizons_of = horizons_seen(dem, options.locate, problem)
+    moved = move(problem, horizons_of, starts, 250.0, steps, progress)
     around = recorded.take(np.array([int(recorded.score.argmax())]))
-    near = move(problem, partial(horizons_at, dem, options.locate), around, 2 * options.near_m, steps)
+    near = move(problem, horizons_of, around, 2 * options.near_m, steps)
     return near, moved.take(np.array([0])), float(moved.score[0] - near.score[0])
 
 

@@ -113,6 +113,27 @@ def cluster_outcomes(client, job, tasks, progress):
         yield from outcomes
 
 
+def tiles_on(client):
+    """Return how `locate.build.build_index` spreads the tiles of an index over a Dask cluster.
+
+    Parameters
+    ----------
+    client : dask.distributed.Client
+
+    Returns
+    -------
+    callable
+        (TileWork, tiles, progress) -> iterator; a tile whose process has died is computed by the caller.
+    """
+
+    def spread(work, tiles, progress):
+        for done, (tile, found) in enumerate(zip(tiles, _on_cluster(work, tiles, client, progress)), 1):
+            yield work(tile) if found is None else found
+            progress.report(done / len(tiles))
+
+    return spread
+
+
 # parameters: the run, and where it is done
 def rows_with_files(work, tasks, folder, client=None, workers=1, progress=SILENT):
     """Orient photographs chunk by chunk; finished chunks lie in files, which a repeated run takes up.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +12,10 @@ from .base.messages import Message
 from .base.model import Candidate
 from .base.progress import SILENT, subtask
 from .batch import recorded_heading_deg
+from .cluster import tiles_on
 from .io.array_folder import ArrayFolder, mark_of
 from .locate.answer import Known, Located, LocatedPlace, oriented_at
-from .locate.build import kept_index
+from .locate.build import kept_index, one_after_the_other
 from .locate.coarse import compare
 from .locate.fit import curves_of, fit_places, lift, move
 from .locate.fitted import distinct
@@ -25,7 +25,7 @@ from .locate.places import IndexOptions
 from .match.geometry import lens_of, pose_of
 from .match.likelihood import EvidenceStack
 from .match.prior import compass_prior, log_ratio
-from .searching import LocateOptions, SkylineProblem, horizons_at, lens, picture_of
+from .searching import LocateOptions, SkylineProblem, horizons_at, horizons_seen, lens, picture_of
 
 LEAST_COLUMNS_SHARE = 0.15
 """Smallest share of columns with evidence for which a search is made."""
@@ -36,7 +36,8 @@ FORMAT = 1
 """Version of stored indices; raise it when their content changes."""
 
 
-def index_of_area(dem, area, options=IndexOptions(), folder=None, progress=SILENT):  # noqa: B008 - frozen
+# parameters: an area on a DEM, and where its index is computed and kept
+def index_of_area(dem, area, options=IndexOptions(), folder=None, progress=SILENT, client=None):  # noqa: B008
     """Compute the index of an area, or take it from a folder of an earlier run.
 
     Parameters
@@ -47,6 +48,8 @@ def index_of_area(dem, area, options=IndexOptions(), folder=None, progress=SILEN
     folder : str or None
         Where indices are kept, each by a fingerprint of all on which it depends; None keeps nothing.
     progress : Progress
+    client : dask.distributed.Client or None
+        Its workers compute the index, tile by tile; None computes it in this process.
 
     Returns
     -------
@@ -60,7 +63,7 @@ def index_of_area(dem, area, options=IndexOptions(), folder=None, progress=SILEN
     if folder:
         content = replace(options, memory_mb=0.0)  # the limit decides whether an index is made, not what is in it
         store = ArrayFolder(Path(folder) / f"horizons-{mark_of(dem, FORMAT, area, content)}")
-    return kept_index(dem, area, options, store, progress)
+    return kept_index(dem, area, options, store, progress, tiles_on(client) if client else one_after_the_other)
 
 
 # parameters: what a run shares, what a photograph brings, and its progress
@@ -136,20 +139,20 @@ def locate(photo, evidence, lens_prior, terrain, options=LocateOptions(), known=
     fitted = fit_places(problem, index, places, trials, options.fit, subtask(progress, 0.4, 0.7))
     fitted = fitted.plus(weight[fitted.source] + log_ratio(known.heading_prior, fitted.trial[:, 0]) / worth).once()
     starts = fitted.take(distinct(fitted, options.fit.separation_m, options.fit.stages[0][1]))
-    horizons_of = partial(horizons_at, dem, options)
+    horizons_of = horizons_seen(dem, options, problem)
     moved = move(problem, horizons_of, starts, index.spacing_m, options.fit, subtask(progress, 0.7, 1.0))
     moved = lift(problem, horizons_of, moved, options.eye_heights_m, options.fit)
     moved = moved.plus(weight[moved.source] + log_ratio(known.heading_prior, moved.trial[:, 0]) / worth)
-    return _answer(photo, evidence, problem, (index, fitted, moved, coarse.score, horizons_of), options)
+    return _answer(photo, evidence, problem, (terrain, fitted, moved, coarse.score), options)
 
 
 def _answer(photo, evidence, problem, search, options):
-    index, fitted, moved, score, horizons_of = search
+    (dem, index), fitted, moved, score = search
     count = min(CANDIDATES, len(moved.score))
     profiles = [
         profile
         for place in zip(moved.longitude_deg[:count], moved.latitude_deg[:count], moved.eye_height_m)
-        for profile in horizons_of(place[:1], place[1:2], place[2])
+        for profile in horizons_at(dem, options, place[:1], place[1:2], place[2])
     ]
     explained, relief_deg = problem.facts(curves_of(profiles[:1]), moved.trial[0])
     camera = lens_of(problem.full_prior.camera, moved.trial[0])

@@ -11,17 +11,23 @@ from .base.imaging import shrink_to
 from .base.terrain import Observer
 from .batch import PREVIEW_PX
 from .horizon.horizon import HorizonOptions, horizon_profile
+from .horizon.sector import sector_profile
 from .io.photo import read_photo
 from .locate.coarse import CoarseOptions
 from .locate.fit import FitOptions
 from .locate.judge import JudgeOptions
 from .locate.picture import PictureOptions, unknown_lens
 from .locate.places import IndexOptions
+from .match.geometry import lens_of
 from .match.likelihood import EvidenceStack, LikelihoodOptions
 from .match.prior import CameraPrior, camera_prior
 from .match.refine import Objective, RefineOptions, refine
 from .skyline.evidence import SkylineOptions, skyline_evidence
 from .skyline.given import evidence_from_line, evidence_from_mask
+
+VIEW_SHARE, MARGIN_DEG = 1.2, 24.0
+"""Width of the sector in which a picture's horizon is computed: a share of its field of view, since a pitched picture
+shows more, and a margin by which a fit may turn [degrees]."""
 
 
 @dataclass(frozen=True)
@@ -105,6 +111,10 @@ class SkylineProblem:
         objective = Objective(self.stack, self.prior, curves, self.options, (), error_m)
         return refine(objective, trials, scale, stride)
 
+    def view_of(self, trial):
+        """Heading and horizontal field of view of a trial [degrees]."""
+        return float(trial[0]), lens_of(self.full_prior.camera, trial).hfov_deg
+
     def facts(self, curves, trial):
         """Share of the columns that a horizon explains, and the spread of the horizon about a line [degrees]."""
         objective = Objective(self.stack, self.prior, curves, self.options, (), 0.0)
@@ -153,7 +163,8 @@ def picture_of(request, options=SkylineOptions()):  # noqa: B008 - frozen
     return replace(photo, pixels=np.rint(shrink_to(photo.pixels, PREVIEW_PX)).astype(np.uint8)), evidence
 
 
-def horizons_at(dem, options, longitude_deg, latitude_deg, eye_height_m):
+# parameters: a terrain and its options, positions, and what of the horizon is needed
+def horizons_at(dem, options, longitude_deg, latitude_deg, eye_height_m, view=None):
     """Horizon profiles at positions; None where the DEM has no horizon.
 
     Parameters
@@ -164,13 +175,36 @@ def horizons_at(dem, options, longitude_deg, latitude_deg, eye_height_m):
         WGS 84 [degrees].
     eye_height_m : float
         Above the DEM; NaN takes the height of the index [m].
+    view : (heading_deg, hfov_deg) or None
+        The horizon is needed in this view only, which takes a third of the time, and is not known elsewhere; None
+        takes the whole circle.
     """
     profiles = []
     height_m = eye_height_m if np.isfinite(eye_height_m) else options.index.eye_height_m
     for place in zip(longitude_deg, latitude_deg):
         try:
             observer = Observer(float(place[0]), float(place[1]), float(height_m))
-            profiles.append(horizon_profile(dem, observer, options.horizon))
+            if view is None:
+                profiles.append(horizon_profile(dem, observer, options.horizon))
+            else:
+                width_deg = VIEW_SHARE * view[1] + MARGIN_DEG
+                profiles.append(sector_profile(dem, observer, options.horizon, view[0], width_deg))
         except PhotoError:
             profiles.append(None)
     return profiles
+
+
+def horizons_seen(dem, options, problem):
+    """Return `horizons_at` as a function of (longitudes, latitudes, height of the eye, trial) for the trial's view.
+
+    Parameters
+    ----------
+    dem : Terrain
+    options : LocateOptions
+    problem : SkylineProblem
+    """
+
+    def horizons_of(longitude_deg, latitude_deg, eye_height_m, trial):
+        return horizons_at(dem, options, longitude_deg, latitude_deg, eye_height_m, problem.view_of(trial))
+
+    return horizons_of

@@ -25,8 +25,11 @@ from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.locate.unique import LARGEST_STANDARD, SAME_DEG, TABLE_PATH, features_of, traits_of
 from skyline_viewshed.core.planning import PredictOptions
 
-FEATURES = ("log_relief", "log_cells", "gap", "log_hfov")
-RIDGE = 10.0
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from orientability_figure import drawing  # noqa: E402
+
+FEATURES = ("gap", "log_relief")
+RIDGE = 3.0
 RASTERS = (".tif", ".tiff", ".hgt", ".vrt", ".asc", ".img")
 KINDS = ("photos", "views", "simulated")
 
@@ -37,6 +40,7 @@ def main(arguments=None):
     for kind in KINDS:
         parser.add_argument(f"--{kind}", type=Path, nargs="*", default=[])
     parser.add_argument("--write", action="store_true", help="write the table")
+    parser.add_argument("--figure", type=Path, help="draw the ROC curves and the calibration as SVG")
     given = parser.parse_args(arguments)
     cases = [case for kind in KINDS for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
     cases = list(described(cases))
@@ -47,9 +51,14 @@ def main(arguments=None):
     for left_out in sorted(set(region)):
         inside = region == left_out
         held[inside] = predict(fit(values[~inside], twins[~inside], right[~inside]), values[inside], twins[inside])
-    for name in (*KINDS, "photos and views", "all"):
-        part = (kind == name) | (name == "all") | ((name == "photos and views") & (kind != "simulated"))
+    parts = {name: (kind == name) | (name == "all") for name in (*KINDS, "all")}
+    parts["photos and views"] = kind != "simulated"
+    for name, part in parts.items():
         report(name, held[part], right[part])
+    if given.figure:
+        names = "photos and views", "simulated", "all"
+        groups = [(name, held[parts[name]], right[parts[name]]) for name in names if parts[name].any()]
+        given.figure.write_text(drawing(groups, bands_of(held, right)), encoding="utf-8")
     model = fit(values, twins, right)
     counts = ", ".join(f"{int((kind == name).sum())} {name} ({int(right[kind == name].sum())} right)" for name in KINDS)
     table = table_of(model, counts)
@@ -145,13 +154,21 @@ def auc(chance, right):
     return float(((more > 0) + 0.5 * (more == 0)).mean())
 
 
+def bands_of(chance, right, count=10):
+    """Mean probability, share of right answers and number of pictures of equal groups, the least likely first."""
+    groups = [at for at in np.array_split(np.argsort(chance, kind="stable"), count) if len(at)]
+    return [(float(chance[at].mean()), float(right[at].mean()), len(at)) for at in groups]
+
+
 def report(name, chance, right):
-    """Print the AUC and the calibration in three equal groups."""
+    """Print the AUC and the calibration in tenths."""
     if not len(right):
         return
-    groups = np.array_split(np.argsort(chance), 3)
-    shares = ", ".join(f"{chance[at].mean():.2f}/{right[at].mean():.2f}" for at in groups if len(at))
-    print(f"{name}: {len(right)}, {int((~right).sum())} wrong, AUC {auc(chance, right):.2f}, predicted/right {shares}")
+    bands = bands_of(chance, right)
+    shares = ", ".join(f"{predicted:.2f}/{share:.2f}" for predicted, share, _ in bands)
+    error = np.average([abs(predicted - share) for predicted, share, _ in bands], weights=[n for *_, n in bands])
+    wrong = int((~right).sum())
+    print(f"{name}: {len(right)}, {wrong} wrong, AUC {auc(chance, right):.2f}, mean error {error:.2f}; {shares}")
 
 
 def table_of(model, counts):

@@ -2,19 +2,69 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 
 from ..base.messages import Message
 from ..base.progress import SILENT, checkpoint, subtask
 from .index import HorizonIndex, stored_angles, stored_distances
 from .many import CellGrid, ManyOptions, many_horizons
-from .places import AreaError, IndexOptions, check_memory, lay_places
+from .places import AreaError, IndexOptions, PlaceGrid, check_memory, lay_places
 
 STORED = ("place", "elevation", "distance", "sizes")
 """Names of the arrays of an index in a store."""
 
 
-def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT):  # noqa: B008 - frozen
+@dataclass(frozen=True, eq=False)
+class TileWork:
+    """Computes the horizons of the places of a tile, here or in another process; picklable if its DEM is.
+
+    Attributes
+    ----------
+    dem : core.io.raster.Dem or core.base.terrain.ArrayTerrain
+    grid : PlaceGrid
+        Without its tiles.
+    options : IndexOptions
+    """
+
+    dem: object
+    grid: PlaceGrid
+    options: IndexOptions
+
+    def __call__(self, tile, progress=SILENT):
+        """Give place (3, K), elevation and distance (K, A) as they are stored, and the size of the DEM's cells [m]."""
+        options, grid = self.options, self.grid
+        cells = CellGrid(tile.row, tile.col, tile.rows, tile.cols, grid.step_rows, grid.step_cols)
+        middle = self.dem.position_of(*cells.middle_px)
+        frame = self.dem.frame(float(middle[0]), float(middle[1]), options.max_distance_m)
+        many = ManyOptions(options.azimuths, options.max_distance_m, options.refraction_coefficient)
+        found = many_horizons(self.dem, frame, cells, options.eye_height_m, many, progress)
+        usable = np.flatnonzero(tile.inside & np.isfinite(found.ground_m))
+        place = np.vstack([*self.dem.position_of(*cells.places_px), found.ground_m])[:, usable]
+        return (
+            place,
+            stored_angles(found.elevation_deg[usable]),
+            stored_distances(found.distance_m[usable]),
+            frame.cell_m,
+        )
+
+
+def one_after_the_other(work, tiles, progress):
+    """Yield what `work` gives for each tile, computed in this process.
+
+    Parameters
+    ----------
+    work : TileWork
+    tiles : sequence of Tile
+    progress : Progress
+    """
+    for number, tile in enumerate(tiles):
+        yield work(tile, subtask(progress, number / len(tiles), (number + 1) / len(tiles)))
+
+
+# parameters: an area on a DEM, and where its index is computed and held
+def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT, spread=one_after_the_other):  # noqa: B008
     """Compute the horizons of all places of an area.
 
     Parameters
@@ -26,6 +76,8 @@ def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT): 
         (name, shape, dtype) -> array that is filled, such as one on disk; None holds the index in memory and checks
         first that it fits.
     progress : Progress
+    spread : callable
+        (TileWork, tiles, progress) -> iterator over what the work gives for each tile, in order.
 
     Returns
     -------
@@ -40,25 +92,15 @@ def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT): 
     if hold is None:
         check_memory(grid, options)
     hold = hold or _in_memory
-    many = ManyOptions(options.azimuths, options.max_distance_m, options.refraction_coefficient)
     elevation = hold("elevation", (grid.count, options.azimuths), np.int16)
     distance = hold("distance", (grid.count, options.azimuths), np.uint16)
     place, cell_m = hold("place", (3, grid.count), np.float64), None
     place[:] = np.nan
     first = 0
-    for number, tile in enumerate(grid.tiles):
-        part = subtask(progress, number / len(grid.tiles), (number + 1) / len(grid.tiles))
-        cells = CellGrid(tile.row, tile.col, tile.rows, tile.cols, grid.step_rows, grid.step_cols)
-        middle = dem.position_of(*cells.middle_px)
-        frame = dem.frame(float(middle[0]), float(middle[1]), options.max_distance_m)
-        cell_m = cell_m or frame.cell_m
-        found = many_horizons(dem, frame, cells, options.eye_height_m, many, part)
-        usable = np.flatnonzero(tile.inside & np.isfinite(found.ground_m))
-        last = first + len(usable)
-        place[:2, first:last] = np.array(dem.position_of(*cells.places_px))[:, usable]
-        place[2, first:last] = found.ground_m[usable]
-        elevation[first:last] = stored_angles(found.elevation_deg[usable])
-        distance[first:last] = stored_distances(found.distance_m[usable])
+    for found in spread(TileWork(dem, replace(grid, tiles=()), options), grid.tiles, progress):
+        last = first + found[0].shape[1]
+        place[:, first:last], elevation[first:last], distance[first:last] = found[:3]
+        cell_m = cell_m or found[3]
         first = last
     if not first:
         raise AreaError(
@@ -69,22 +111,23 @@ def build_index(dem, area, options=IndexOptions(), hold=None, progress=SILENT): 
     return index_of({"place": place, "elevation": elevation, "distance": distance, "sizes": (cell_m, grid.spacing_m)})
 
 
-def kept_index(dem, area, options, store, progress=SILENT):
+# parameters: as for `build_index`, and the store
+def kept_index(dem, area, options, store, progress=SILENT, spread=one_after_the_other):
     """The index of an area from a store, which is filled if it is empty.
 
     Parameters
     ----------
-    dem, area, options, progress
+    dem, area, options, progress, spread
         As for `build_index`.
     store : core.io.array_folder.ArrayFolder or None
         For this DEM, area and options; None holds the index in memory.
     """
     if store is None:
-        return build_index(dem, area, options, progress=progress)
+        return build_index(dem, area, options, None, progress, spread)
     kept = store.read(STORED)
     if kept is None:
         with store.filling() as hold:
-            build_index(dem, area, options, hold, progress)
+            build_index(dem, area, options, hold, progress, spread)
         kept = store.read(STORED)
     return index_of(kept)
 

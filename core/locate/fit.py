@@ -38,7 +38,8 @@ class FitOptions:
     separation_m : float
         Places nearer than this to a better one are not followed further [m].
     stages : tuple of (float, int)
-        For each stage of moving: the step as a share of the distance between places, and the number of places.
+        For each stage of moving: the step as a share of the distance between places, and the number of places. A step
+        of 0 fits the place itself with its exact horizon.
     final_scales : tuple of float
         Tolerances of the fits while places are moved.
     step_error : float
@@ -48,8 +49,8 @@ class FitOptions:
     places: int = 1000
     scales: tuple = (3.0, 1.5, 1.0)
     place_error: float = 0.3
-    separation_m: float = 700.0
-    stages: tuple = ((0.5, 8), (0.22, 4), (0.1, 3))
+    separation_m: float = 600.0
+    stages: tuple = ((0.0, 60), (0.5, 24), (0.22, 6), (0.1, 4))
     final_scales: tuple = (2.0, 1.0, 0.5)
     step_error: float = 0.5
 
@@ -131,7 +132,8 @@ def move(problem, horizons_of, found, spacing_m, options=FitOptions(), progress=
     problem : object
         As for `fit_places`.
     horizons_of : callable
-        (longitudes, latitudes, height of the eye [m]) -> list of HorizonProfile, or None where there is no horizon.
+        (longitudes, latitudes, height of the eye [m], trial (5,)) -> list of HorizonProfile, known at least in the
+        view of the trial, or None where there is no horizon.
     found : FittedPlaces
         Distinct places, best first.
     spacing_m : float
@@ -151,27 +153,30 @@ def move(problem, horizons_of, found, spacing_m, options=FitOptions(), progress=
         for place in ahead:
             checkpoint(part, place / len(ahead))
             one = found.take(np.array([place]))
-            moved.append(_moved(problem, horizons_of, one, share * spacing_m, options))
+            moved.append(_moved(problem, horizons_of, one, (share * spacing_m, spacing_m), options))
         found = joined([*moved, found.take(rest)])
         found = found.take(np.argsort(-found.score, kind="stable"))
         found = found.take(distinct(found, options.separation_m / 2, len(found.score)))
     return found
 
 
-def _moved(problem, horizons_of, one, step_m, options):
-    """One place, moved to the best of the places around it."""
-    north = one.latitude_deg[0] + RING[:, 1] * step_m / METRES_PER_DEGREE
+def _moved(problem, horizons_of, one, steps_m, options):
+    """One place, moved to the best of the places around it; `steps_m` is the step now and that of the index."""
+    step_m, spacing_m = steps_m
+    offset_m = RING * step_m if step_m > 0 else np.zeros((1, 2))
+    error_m = options.step_error * step_m if step_m > 0 else options.place_error * spacing_m
+    north = one.latitude_deg[0] + offset_m[:, 1] / METRES_PER_DEGREE
     scale = METRES_PER_DEGREE * np.cos(np.radians(one.latitude_deg[0]))
-    east = one.longitude_deg[0] + RING[:, 0] * step_m / scale
-    profiles = horizons_of(east, north, one.eye_height_m[0])
+    east = one.longitude_deg[0] + offset_m[:, 0] / scale
+    profiles = horizons_of(east, north, one.eye_height_m[0], one.trial[0])
     usable = np.array([place for place, profile in enumerate(profiles) if profile is not None], int)
     if not len(usable):
         return one
     curves = curves_of([profiles[place] for place in usable])
     start = np.repeat(one.trial, len(usable), axis=0)
-    trial, score = best_over_scales(problem, curves, start, options.step_error * step_m, (options.final_scales, 3))
+    trial, score = best_over_scales(problem, curves, start, error_m, (options.final_scales, 3))
     best = int(score.argmax())
-    curvature, slope = _surface(RING[usable] * step_m, score, trial[:, 3])
+    curvature, slope = _surface(offset_m[usable], score, trial[:, 3])
     return replace(
         one,
         longitude_deg=east[usable[best] : usable[best] + 1],
@@ -204,7 +209,7 @@ def lift(problem, horizons_of, found, heights_m, options=FitOptions()):  # noqa:
     for place in range(len(found.score)):
         one = found.take(np.array([place]))
         for height_m in heights_m if place < LIFTED else ():
-            profiles = horizons_of(one.longitude_deg, one.latitude_deg, height_m)
+            profiles = horizons_of(one.longitude_deg, one.latitude_deg, height_m, one.trial[0])
             if profiles[0] is None:
                 continue
             how = options.final_scales, 3

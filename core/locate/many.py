@@ -26,6 +26,9 @@ BILINEAR_CELLS = 48
 BLOCKS = (1, 2, 4, 8)
 """Widths of the blocks whose highest cell is taken [cells]."""
 
+STRIP_CELLS = 2_000_000
+"""Cells that are read together."""
+
 
 @dataclass(frozen=True)
 class CellGrid:
@@ -127,14 +130,16 @@ def many_horizons(terrain, frame, grid, eye_height_m, options=ManyOptions(), pro
     azimuth = np.radians(np.arange(options.azimuths) * (360.0 / options.azimuths))[:, None]
     col, row = frame.to_pixel(distance_m * np.sin(azimuth), distance_m * np.cos(azimuth))
     col, row = col - frame.col_px, row - frame.row_px
-    margin = int(np.ceil(max(np.abs(col).max(), np.abs(row).max()))) + max(BLOCKS) + 1
-    cells = _Phases(terrain, grid, margin, sorted(set(block)))
+    near = int(np.searchsorted(distance_m, BILINEAR_CELLS * frame.cell_m))
+    block[:near] = 1
+    shift = np.ceil(np.maximum(np.abs(col), np.abs(row)).max(axis=0))
+    reach = {1: 0, **{int(size): int(shift[block == size].max()) for size in np.unique(block)}}
+    cells = _Phases(terrain, grid, reach)
     shape = (grid.rows, grid.cols)
     eye = cells.at(1, 0, 0) + np.float32(eye_height_m)
     elevation = np.empty((options.azimuths, *shape), np.float32)
     distance = np.empty_like(elevation)
     value, better = np.empty(shape, np.float32), np.empty(shape, bool)
-    near = int(np.searchsorted(distance_m, BILINEAR_CELLS * frame.cell_m))
     inverse = (1.0 / distance_m).astype(np.float32)
     fall = (apparent_drop_m(distance_m, options.refraction_coefficient) / distance_m).astype(np.float32)
     nearest_row, nearest_col = np.rint(row).astype(int), np.rint(col).astype(int)
@@ -178,31 +183,44 @@ def _distances(cell_m, options):
 
 
 class _Phases:
-    """Elevations around a grid of places, one array for each phase of the grid and width of block."""
+    """Elevations around a grid of places, one array for each phase of the grid and width of block.
 
-    def __init__(self, terrain, grid, margin, blocks):
-        self.grid, self.margin = grid, margin
-        rows, cols = (grid.rows - 1) * grid.step_rows + 1, (grid.cols - 1) * grid.step_cols + 1
-        self.row, self.col = grid.row - margin, grid.col - margin
-        whole = Window(self.row, self.col, rows + 2 * margin, cols + 2 * margin)
-        inside = whole.clipped(terrain.shape)
-        # The last phases are filled up, so that all of them have the same shape.
-        height, width = (-(-size // step) * step for size, step in zip((whole.rows, whole.cols), self._steps))
-        elevation = np.full((height, width), np.nan, np.float32)
-        top, left = inside.row - whole.row, inside.col - whole.col
-        elevation[top : top + inside.rows, left : left + inside.cols] = terrain.read(inside)
-        self._held = {block: self._split(_highest(elevation, block)) for block in blocks}
+    Each width reaches only as far as its samples: of a fine DEM, the widest block alone reaches the whole range.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    grid : CellGrid
+    reach : dict
+        Width of block -> largest shift in rows or columns at which it is asked for [cells].
+    """
+
+    def __init__(self, terrain, grid, reach):
+        self.grid = grid
+        self._margin = {block: cells + block + 1 for block, cells in reach.items()}
+        self._held = {block: self._phases(terrain, margin, block) for block, margin in self._margin.items()}
         self._other = np.empty((grid.rows, grid.cols), np.float32)
 
-    @property
-    def _steps(self):
-        return self.grid.step_rows, self.grid.step_cols
-
-    def _split(self, elevation):
-        down, across = self._steps
-        rows, cols = elevation.shape[0] // down, elevation.shape[1] // across
-        split = elevation.reshape(rows, down, cols, across).transpose(1, 3, 0, 2)
-        return np.ascontiguousarray(split)
+    def _phases(self, terrain, margin, block):
+        """Highest cell of the block around each cell, (phases down, phases across, rows, cols); read in strips."""
+        grid = self.grid
+        down, across = grid.step_rows, grid.step_cols
+        # The last phases are filled up, so that all of them have the same shape.
+        rows = -(-((grid.rows - 1) * down + 1 + 2 * margin) // down)
+        cols = -(-((grid.cols - 1) * across + 1 + 2 * margin) // across)
+        held = np.empty((down, across, rows, cols), np.float32)
+        strip = max(STRIP_CELLS // (cols * across * down), 1)
+        for top in range(0, rows, strip):
+            count = min(strip, rows - top)
+            whole = Window(
+                grid.row - margin + top * down - block,
+                grid.col - margin - block,
+                count * down + 2 * block,
+                cols * across + 2 * block,
+            )
+            highest = _highest(_elevations(terrain, whole), block)[block:-block, block:-block]
+            held[:, :, top : top + count] = highest.reshape(count, down, cols, across).transpose(1, 3, 0, 2)
+        return held
 
     def at(self, block, row, col):
         """Elevations at a shift from every place, as a view (rows, cols).
@@ -214,8 +232,8 @@ class _Phases:
         row, col : int
             Shift [cells].
         """
-        row, down = divmod(row + self.margin, self.grid.step_rows)
-        col, across = divmod(col + self.margin, self.grid.step_cols)
+        row, down = divmod(row + self._margin[block], self.grid.step_rows)
+        col, across = divmod(col + self._margin[block], self.grid.step_cols)
         return self._held[block][down, across, row : row + self.grid.rows, col : col + self.grid.cols]
 
     def between(self, row, col, out):
@@ -241,6 +259,15 @@ class _Phases:
             if weight > 1e-4:
                 np.multiply(self.at(1, first_row + below, first_col + right), weight, out=self._other)
                 out += self._other
+
+
+def _elevations(terrain, window):
+    """Elevations of a window that may reach beyond the raster; NaN there."""
+    elevation, inside = np.full((window.rows, window.cols), np.nan, np.float32), window.clipped(terrain.shape)
+    if inside.rows and inside.cols:
+        top, left = inside.row - window.row, inside.col - window.col
+        elevation[top : top + inside.rows, left : left + inside.cols] = terrain.read(inside)
+    return elevation
 
 
 def _highest(elevation, block):

@@ -62,7 +62,7 @@ class PictureOptions:
     tolerance_deg: float = 0.35
     outlier_share: float = 0.3
     horizon_deg: tuple = (6.0,)
-    rolls_deg: tuple = (-4.5, 0.0, 4.5)
+    rolls_deg: tuple = (-5.0, -2.5, 0.0, 2.5, 5.0)
 
 
 @dataclass(frozen=True, eq=False)

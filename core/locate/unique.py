@@ -3,8 +3,8 @@
 A stretch of the horizon as wide as the field of view is compared with the horizon in every other direction, after the
 best shift and tilt, since pitch and roll are not known. If some other stretch is alike within the tolerance that the
 errors of picture, DEM and position ask for, a matcher cannot tell the two apart. A regression, fitted by
-`tools/fit_orientability.py` on photographs and simulated scenes, turns this and the relief in the frame, the number of
-DEM cells across it and the field of view into the probability that a photograph is oriented right.
+`tools/fit_orientability.py` on photographs and simulated scenes, turns this and the relief in the frame into the
+probability that a photograph is oriented right.
 """
 
 from __future__ import annotations
@@ -54,7 +54,8 @@ class UniqueOptions:
     effective_columns : float
         Number of independent groups of columns in a picture, for the expected error.
     twin_columns : float
-        The same for twins: large, so that only directions that fit closely share a probability.
+        The same for twins: so large that only directions that hardly differ share a probability. The regression judges
+        the others: of photographs whose other directions fit within a tenth of the tolerance, two thirds are right.
     floor_deg : float
         Error of a heading that remains in any case [degrees].
     """
@@ -66,7 +67,7 @@ class UniqueOptions:
     ground_slope: float = 0.5
     cap: float = 3.0
     effective_columns: float = 15.0
-    twin_columns: float = 100.0
+    twin_columns: float = 1000.0
     floor_deg: float = 0.1
 
 
@@ -78,14 +79,10 @@ class Traits:
     ----------
     heading_deg : (H,) array
         Clockwise from true north [degrees].
-    hfov_deg : float
-        Horizontal field of view [degrees].
     known_share : (H,) array
         Share of the frame in which the horizon is known.
     relief_deg : (H,) array
         Spread of the horizon in the frame about a straight line [degrees].
-    cells : (H,) array
-        Number of DEM cells across the frame at the median distance of the horizon.
     gap : (H,) array
         Misfit of the best other direction, root mean square with a cap [tolerances].
     twins : (H,) array
@@ -95,10 +92,8 @@ class Traits:
     """
 
     heading_deg: np.ndarray
-    hfov_deg: float
     known_share: np.ndarray
     relief_deg: np.ndarray
-    cells: np.ndarray
     gap: np.ndarray
     twins: np.ndarray
     error_deg: np.ndarray
@@ -200,7 +195,7 @@ def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions
     around = (np.arange(count)[:, None] + offset) % count
     windows, weights = angle[around], np.where(known[around], 1 / sigma[around], 0.0)
     slope = (np.roll(angle, -1) - np.roll(angle, 1)) / (2 * options.step_deg)
-    found = {name: np.full(count, np.nan) for name in ("relief_deg", "cells", "gap", "twins", "error_deg")}
+    found = {name: np.full(count, np.nan) for name in ("relief_deg", "gap", "twins", "error_deg")}
     other_deg = np.abs((np.arange(count) * options.step_deg + 180) % 360 - 180)
     share = known[around].mean(axis=1)
     wanted = np.arange(count) if only is None else np.asarray(only)
@@ -224,17 +219,14 @@ def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions
         found["error_deg"][first] = min(error_deg, LARGEST_ERROR_DEG)
         line = np.polyval(np.polyfit(offset, windows[first], 1), offset)
         found["relief_deg"][first] = np.std(windows[first] - line)
-        found["cells"][first] = np.radians(hfov_deg) * far_m / cell_m
-    return Traits(np.arange(count) * options.step_deg, float(hfov_deg), known_share=share, **found)
+    return Traits(np.arange(count) * options.step_deg, known_share=share, **found)
 
 
 def features_of(traits):
     """Return the quantities of the regression, each (H,), in which more is easier; the keys are those of the table."""
     return {
-        "log_relief": np.log(np.maximum(traits.relief_deg, 0.02)),
-        "log_cells": np.log(np.maximum(traits.cells, 1.0)),
         "gap": traits.gap,
-        "log_hfov": np.full(len(traits.gap), np.log(traits.hfov_deg)),
+        "log_relief": np.log(np.maximum(traits.relief_deg, 0.02)),
     }
 
 

@@ -6,6 +6,7 @@ import os
 import shutil
 import signal
 
+import numpy as np
 import pytest
 import worker_jobs
 from skyline_viewshed.core import cluster
@@ -13,6 +14,9 @@ from skyline_viewshed.core.base.errors import Cancelled
 from skyline_viewshed.core.batch import PhotoRequest
 from skyline_viewshed.core.cluster import RowsOfChunk, cluster_outcomes, rows_with_files
 from skyline_viewshed.core.io.raster import open_dem
+from skyline_viewshed.core.locate.index import ARRAYS
+from skyline_viewshed.core.locate.places import Area, IndexOptions, lay_places
+from skyline_viewshed.core.locating import index_of_area
 from skyline_viewshed.core.many import OrientJob
 from skyline_viewshed.core.pipeline import OrientOptions
 from worker_jobs import Quick
@@ -154,6 +158,17 @@ def test_a_cluster_gives_the_same_table_although_a_worker_is_killed(client, work
 def test_outcomes_come_back_from_the_cluster_in_order(client, work, tasks):
     outcomes = list(cluster_outcomes(client, work.job, tasks, worker_jobs.Silence()))
     assert [round(outcome.result().heading_deg) for outcome in outcomes] == list(range(7))
+
+
+def test_an_index_from_the_cluster_is_the_same(client, scene):
+    dem = open_dem(str(scene.dem))
+    middle = dem.position_of(dem.shape[1] / 2, dem.shape[0] / 2)
+    area = Area.circle(*map(float, middle), 3_000.0)
+    options = IndexOptions(spacing_m=100.0, azimuths=36, max_distance_m=4_000.0)
+    alone, many = index_of_area(dem, area, options), index_of_area(dem, area, options, client=client)
+    assert len(lay_places(dem, area, options).tiles) > 1
+    for name in ARRAYS:
+        assert np.array_equal(getattr(alone, name), getattr(many, name))
 
 
 def test_killing_the_whole_run_and_starting_again(scene, tmp_path):

@@ -54,6 +54,21 @@ def test_places_outside_the_dem_have_no_horizon_and_the_height_counts():
     assert higher.eye_elevation_m - inside.eye_elevation_m == pytest.approx(100.0)
 
 
+def test_the_horizon_in_a_view_is_that_of_the_whole_circle_and_unknown_elsewhere():
+    scene = mountain_scene(1)
+    place = (scene.observer.longitude_deg,), (scene.observer.latitude_deg,)
+    options = LocateOptions.of(IndexOptions(max_distance_m=8_000.0), (30.0, 75.0), 0.0)
+    (whole,) = horizons_at(scene.terrain, options, *place, np.nan)
+    (seen,) = horizons_at(scene.terrain, options, *place, np.nan, (355.0, 60.0))
+    away = np.abs((whole.azimuth_deg - 355.0 + 180) % 360 - 180)
+    known = np.isfinite(seen.elevation_deg)
+    assert known[away < 45].all() and not known[away > 60].any()
+    assert seen.elevation_deg[known] == pytest.approx(whole.elevation_deg[known], abs=1e-4)
+    assert np.array_equal(seen.azimuth_deg, whole.azimuth_deg) and seen.clipped.shape == whole.clipped.shape
+    (round_about,) = horizons_at(scene.terrain, options, *place, np.nan, (355.0, 300.0))
+    assert np.isfinite(round_about.elevation_deg).all()
+
+
 def test_a_drawn_skyline_and_a_given_focal_length_replace_those_of_the_picture(tmp_path):
     path = str(tmp_path / "photo.jpg")
     write_photo(path, np.full((300, 400, 3), 128, np.uint8), PhotoMetadata(path, 400, 300, focal_length_35mm=28.0))

@@ -14,7 +14,7 @@ class Bowl:
 TRUE = (8.003, 46.002)
 
 
-def horizons_of(longitude_deg, latitude_deg, height_m):
+def horizons_of(longitude_deg, latitude_deg, height_m, _trial=None):
     """Horizons whose first angle is the squared distance from the truth [hm2]."""
     from types import SimpleNamespace
 
@@ -40,6 +40,13 @@ def test_places_move_to_where_the_horizon_fits_best():
     assert found.curvature[0] == pytest.approx(np.eye(2) * 2e-4, abs=1e-6)
 
 
+def test_a_step_of_nothing_fits_the_place_itself():
+    options = FitOptions(stages=((0.0, 2),))
+    found = move(Bowl(), horizons_of, places([8.0, 8.01], [46.0, 46.0], [-99.0, -100.0]), 600.0, options)
+    assert sorted(found.longitude_deg) == [8.0, 8.01] and (found.score > -99.0).any()
+    assert np.isnan(found.curvature).all()
+
+
 def test_a_higher_eye_counts_if_it_fits_clearly_better():
     start = move(Bowl(), horizons_of, places([8.0], [46.0], [-99.0]), 600.0, FitOptions())
     found = lift(Bowl(), horizons_of, start, (15.0, 30.0, 60.0))
@@ -49,7 +56,7 @@ def test_a_higher_eye_counts_if_it_fits_clearly_better():
 
 def test_a_place_without_a_horizon_stays():
     start = places([8.0], [46.0], [1.0])
-    kept = move(Bowl(), lambda x, y, h: [None] * len(x), start, 600.0)
+    kept = move(Bowl(), lambda x, y, h, _: [None] * len(x), start, 600.0)
     assert kept.score[0] == 1.0 and kept.longitude_deg[0] == 8.0
 
 

@@ -53,3 +53,13 @@ def test_the_distance_is_that_of_the_summit():
     found = horizons(terrain, CellGrid(80, 60, 1, 1), ManyOptions(azimuths=720, max_distance_m=9_000.0))
     assert found.distance_m[0, 0] == pytest.approx(6_000.0, abs=60)
     assert found.elevation_deg[0, 0] == pytest.approx(np.degrees(np.arctan(898.3 / 6_000)), abs=0.15)
+
+
+def test_strips_of_any_height_give_the_same(monkeypatch):
+    terrain, options = example_terrain(size=160), ManyOptions(azimuths=72, max_distance_m=9_000.0)
+    grid = CellGrid(70, 72, 5, 4, 3, 2)
+    whole = horizons(terrain, grid, options)
+    monkeypatch.setattr("skyline_viewshed.core.locate.many.STRIP_CELLS", 2_500)
+    strips = horizons(terrain, grid, options)
+    assert np.array_equal(whole.elevation_deg, strips.elevation_deg, equal_nan=True)
+    assert np.array_equal(whole.distance_m, strips.distance_m, equal_nan=True)

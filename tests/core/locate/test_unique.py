@@ -59,7 +59,7 @@ def test_the_shipped_weights_have_an_origin_and_none_is_negative():
 def test_only_some_directions_are_described_if_asked():
     whole, some = (traits_of(*waves(5.3), 40.0, 90.0, only=only) for only in (None, [7, 90]))
     assert np.flatnonzero(np.isfinite(some.gap)).tolist() == [7, 90]
-    assert some.gap[90] == whole.gap[90] and some.cells[7] == pytest.approx(np.radians(40) * 12_000 / 90)
+    assert some.gap[90] == whole.gap[90] and some.relief_deg[7] == whole.relief_deg[7]
 
 
 def test_a_flat_horizon_cannot_be_oriented():
@@ -94,11 +94,11 @@ def test_unknown_directions_stay_unknown():
 
 def test_the_probability_rises_with_each_quantity_and_falls_with_twins():
     entry = {"mean": 1.0, "spread": 0.5, "weight": 0.3}
-    weights = {"bias": 1.0, "features": dict.fromkeys(("log_relief", "log_cells", "gap", "log_hfov"), entry)}
+    weights = {"bias": 1.0, "features": dict.fromkeys(("gap", "log_relief"), entry)}
     values = np.array([1.0, 2.0, 4.0])
     same, none = np.full(3, 2.0), np.zeros(3)
-    for change in ("relief_deg", "cells", "gap", "twins"):
-        given = {"relief_deg": same, "cells": same, "gap": same / 2, "twins": none, "error_deg": none}
-        traits = Traits(none, 3.0, none + 1, **{**given, change: values / 2 if change == "gap" else values})
+    for change in ("relief_deg", "gap", "twins"):
+        given = {"relief_deg": same, "gap": same / 2, "twins": none, "error_deg": none}
+        traits = Traits(none, none + 1, **{**given, change: values / 2 if change == "gap" else values})
         steps = np.diff(probability_of(traits, weights))
         assert (steps < 0).all() if change == "twins" else (steps > 0).all()
