@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -28,7 +29,7 @@ class TileWork:
     options : IndexOptions
     """
 
-    dem: object
+    dem: Any
     grid: PlaceGrid
     options: IndexOptions
 
