@@ -46,10 +46,11 @@ class CurveSet:
         """Interpolated tangent of the elevation angle, and its slope per radian of azimuth; (K, C) arrays."""
         position = np.mod(azimuth_deg, 360.0) / self.step_deg
         whole = np.floor(position)
-        low = whole.astype(np.intp) % self._size + self._first
+        low = np.nan_to_num(whole).astype(np.intp) % self._size + self._first  # NaN stays NaN below
         slope = self._slope[low]
         return self._tangent[low] + slope * (np.radians(self.step_deg) * (position - whole)), slope
 
     def nearest(self, azimuth_deg):
-        """Flat index of the nearest azimuth of each place's horizon, (K, C)."""
-        return np.rint(np.mod(azimuth_deg, 360.0) / self.step_deg).astype(np.intp) % self._size + self._first
+        """Flat index of the nearest azimuth of each place's horizon, (K, C); any index for NaN, whose row is NaN too."""
+        position = np.nan_to_num(np.mod(azimuth_deg, 360.0)) / self.step_deg
+        return np.rint(position).astype(np.intp) % self._size + self._first
