@@ -51,6 +51,6 @@ class CurveSet:
         return self._tangent[low] + slope * (np.radians(self.step_deg) * (position - whole)), slope
 
     def nearest(self, azimuth_deg):
-        """Flat index of the nearest azimuth of each place's horizon, (K, C); any index for NaN, whose row is NaN too."""
+        """Flat index of the nearest azimuth of each place's horizon, (K, C); any for NaN, whose row is NaN too."""
         position = np.nan_to_num(np.mod(azimuth_deg, 360.0)) / self.step_deg
         return np.rint(position).astype(np.intp) % self._size + self._first
