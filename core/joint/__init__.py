@@ -1,1 +1,1 @@
-"""Approximate headings that the accepted photographs of a walk give to others."""
+"""The photographs of a walk as one problem: what each is, given all the others."""
