@@ -160,15 +160,14 @@ def _answer(photo, evidence, problem, search, options):
     right = min(p_correct(facts), apart_share(moved)) * near_share(moved)
     probability = shares(moved.score, right)
     status, message = verdict(facts, probability, options.judge)
-    merged = fitted.score.copy()
-    for source, value in zip(moved.source, moved.score):
-        merged[fitted.source == source] = np.maximum(merged[fitted.source == source], value)
     says = status, message
     places = tuple(
         _place(photo, evidence, problem, (moved.take(np.array([k])), profiles[k], float(probability[k])), says)
         for k in range(count)
         if profiles[k] is not None
     )
+    # Moving raises scores. Only the answer's counts here: the more places were raised, the less the others would weigh.
+    merged = np.where(fitted.source == moved.source[0], np.maximum(fitted.score, moved.score[0]), fitted.score)
     return Located(photo.metadata.path, status, message, places, right, fitted.source[region(merged)], score, facts)
 
 
