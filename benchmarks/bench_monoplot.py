@@ -24,8 +24,9 @@ from pathlib import Path
 import numpy as np
 from scipy.ndimage import gaussian_filter
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px
+from skyline_viewshed.core.base.curvature import METRES_PER_DEGREE
 from skyline_viewshed.core.base.posed import PosedPhoto
-from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
+from skyline_viewshed.core.base.terrain import Observer
 from skyline_viewshed.core.base.uncertainty import PoseUncertainty
 from skyline_viewshed.core.base.view import open_view
 from skyline_viewshed.core.mapping.monoplot import EllipseOptions, ground_ellipses, place_pixels
@@ -107,7 +108,7 @@ def real_life(terrain, observer, camera, pose, x, y, truth, random):
     dem = replace(terrain, elevation_m=(terrain.elevation_m + noise * (ERRORS.dem_m / noise.std())).astype(np.float32))
     true_eye_m = open_view(terrain, PosedPhoto(camera, pose, observer), RANGE_M).eye_elevation_m
     eye = true_eye_m + random.standard_normal() * ERRORS.eye_m
-    per_degree = ArrayTerrain.METRES_PER_DEGREE
+    per_degree = METRES_PER_DEGREE
     place = (
         observer.longitude_deg + off[4] / per_degree / np.cos(np.radians(terrain.latitude_deg)),
         observer.latitude_deg + off[5] / per_degree,

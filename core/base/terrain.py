@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arrays import FloatOrArray
+from .curvature import METRES_PER_DEGREE
 from .errors import NoElevationAtObserverError, ObserverOutsideDemError
 from .frame import LocalFrame, tabulate_frame
 
@@ -114,8 +115,6 @@ class ArrayTerrain(Terrain):
     longitude_deg: float = 0.0
     latitude_deg: float = 0.0
 
-    METRES_PER_DEGREE = 6_371_000.0 * np.pi / 180
-
     def __repr__(self) -> str:
         rows, cols = self.shape
         known = self.elevation_m[np.isfinite(self.elevation_m)]
@@ -171,14 +170,14 @@ class ArrayTerrain(Terrain):
     def pixel_of(self, longitude_deg: FloatOrArray, latitude_deg: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
         """Give the (col, row) of WGS 84 positions [pixels]."""
         rows, cols = self.shape
-        per_degree = self.METRES_PER_DEGREE / self.cell_m
+        per_degree = METRES_PER_DEGREE / self.cell_m
         col = (cols - 1) / 2 + (longitude_deg - self.longitude_deg) * per_degree * np.cos(np.radians(self.latitude_deg))
         return col, (rows - 1) / 2 - (latitude_deg - self.latitude_deg) * per_degree
 
     def position_of(self, col_px: FloatOrArray, row_px: FloatOrArray) -> tuple[FloatOrArray, FloatOrArray]:
         """Give the (longitude, latitude) of pixels [degrees]; the inverse of `pixel_of`."""
         rows, cols = self.shape
-        per_degree = self.METRES_PER_DEGREE / self.cell_m
+        per_degree = METRES_PER_DEGREE / self.cell_m
         longitude = self.longitude_deg + (col_px - (cols - 1) / 2) / per_degree / np.cos(np.radians(self.latitude_deg))
         return longitude, self.latitude_deg - (row_px - (rows - 1) / 2) / per_degree
 

@@ -128,17 +128,28 @@ def _write_all(folder, path, draft, evidence):
 
 
 def _landmarks(folder):
-    """Landmarks of all photographs as GeoJSON features; those without pixels or place are left out."""
+    """Landmarks of all photographs on the map, as GeoJSON features; those without pixels or place are left out."""
     found = []
-    for feature in _json(folder / LANDMARKS).get("features", []):
+    for feature in _features(folder):
         values, place = feature.get("properties") or {}, (feature.get("geometry") or {}).get("coordinates") or ()
-        if len(place) >= 2 and values.get("photo") and None not in (values.get("x"), values.get("y")):
+        known = values.get("photo") and None not in (values.get("x"), values.get("y"))
+        if len(place) >= 2 and known and not _in_sky(feature):
             found.append(feature)
     return found
 
 
+def _features(folder):
+    return _json(folder / LANDMARKS).get("features", [])
+
+
+def _in_sky(feature):
+    """Tell whether a landmark is the sun or the moon, which *Orient photos* reads and the panel does not edit."""
+    return bool((feature.get("properties") or {}).get("body"))
+
+
 def _write_landmarks(folder, path, draft):
     features = [feature for feature in _landmarks(folder) if not means(feature["properties"]["photo"], path)]
+    features += filter(_in_sky, _features(folder))
     for mark in draft.landmarks:
         values = {"photo": name_of(path), "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
         place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]}
