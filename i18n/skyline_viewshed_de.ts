@@ -3184,6 +3184,11 @@
         <translation>Länge</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lost_crs.py"/>
+        <source>QGIS has lost the definition of the layer's coordinate reference system. Set the system in the layer's properties again, or remove the layer from the project and add it again.</source>
+        <translation>QGIS hat die Definition des Koordinatenbezugssystems des Layers verloren. Stellen Sie das System in den Eigenschaften des Layers neu ein, oder entfernen Sie den Layer aus dem Projekt und fügen Sie ihn wieder hinzu.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Ein Layer hat kein Koordinatenbezugssystem. Weisen Sie in den Layereigenschaften das richtige zu.</translation>

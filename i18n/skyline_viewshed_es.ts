@@ -3184,6 +3184,11 @@
         <translation>Longitud</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lost_crs.py"/>
+        <source>QGIS has lost the definition of the layer's coordinate reference system. Set the system in the layer's properties again, or remove the layer from the project and add it again.</source>
+        <translation>QGIS ha perdido la definición del sistema de referencia de coordenadas de la capa. Vuelva a asignar el sistema en las propiedades de la capa, o quite la capa del proyecto y añádala de nuevo.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Una capa no tiene sistema de referencia de coordenadas. Asigne el correcto en las propiedades de la capa.</translation>

@@ -3184,6 +3184,11 @@
         <translation>Longitude</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/lost_crs.py"/>
+        <source>QGIS has lost the definition of the layer's coordinate reference system. Set the system in the layer's properties again, or remove the layer from the project and add it again.</source>
+        <translation>QGIS a perdu la définition du système de coordonnées de la couche. Attribuez de nouveau le système dans les propriétés de la couche, ou retirez la couche du projet et ajoutez-la de nouveau.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/map_places.py"/>
         <source>A layer has no coordinate reference system. Assign the right one in the layer's properties.</source>
         <translation>Une couche n'a pas de système de coordonnées de référence. Attribuez le bon dans les propriétés de la couche.</translation>

@@ -10,6 +10,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsR
 
 from ...core.base.errors import TerrainError
 from .i18n import tr
+from .lost_crs import crs_of, definition_of, is_lost, raster_crs
 from .parameters import dem_units
 from .raster_parameter import no_statistics_file
 
@@ -24,8 +25,8 @@ class DemSource:
         Path as GDAL opens it.
     band : int
         Number of the band, from 1.
-    crs : QgsCoordinateReferenceSystem
-        CRS of the layer in QGIS.
+    definition : str
+        CRS of the layer, as `definition_of` gives it.
     assigned : str or None
         WKT of that CRS if the user has assigned it in place of the file's own.
     reading : DemReading
@@ -34,9 +35,14 @@ class DemSource:
 
     path: str
     band: int
-    crs: QgsCoordinateReferenceSystem
+    definition: str
     assigned: str | None = None
     reading: Any = None
+
+    @property
+    def crs(self):
+        """CRS of the DEM (QgsCoordinateReferenceSystem), made anew: QGIS may have lost that of the layer."""
+        return crs_of(self.definition)
 
     def open(self):
         """Open the DEM as the core's `Dem`; raises `TerrainError`."""
@@ -58,10 +64,10 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND", unit="DE
         fault = layer_fault(layer)
         if fault:
             raise QgsProcessingException(fault)
-        assigned = assigned_crs(layer)
+        assigned, definition = assigned_crs(layer), definition_of(raster_crs(layer))
     number = max(algorithm.parameterAsInt(parameters, band, context), 1)
     unit = dem_units()[algorithm.parameterAsEnum(parameters, unit, context)][0]
-    return DemSource(layer.source(), number, layer.crs(), assigned, reading_of(layer, number, unit))
+    return DemSource(layer.source(), number, definition, assigned, reading_of(layer, number, unit))
 
 
 def reading_of(layer, band, unit):
@@ -84,7 +90,7 @@ def assigned_crs(layer):
     """WKT of the layer's CRS if it differs from the one in its file, else None."""
     with no_statistics_file(layer.source()):
         own = QgsRasterLayer(layer.source(), "own", "gdal", QgsRasterLayer.LayerOptions(False)).crs()
-    if not layer.crs().isValid() or layer.crs() == own:
+    if not layer.crs().isValid() or is_lost(layer.crs()) or layer.crs() == own:
         return None
     return layer.crs().toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)
 

@@ -20,6 +20,7 @@ from qgis.PyQt.QtCore import QUrl
 
 from .fields import is_binary, is_null, number_or_none
 from .i18n import tr
+from .lost_crs import check_not_lost
 
 PATH_FIELDS = (
     "photo", "path", "filepath", "file", "relpath", "image", "filename",
@@ -143,6 +144,7 @@ def wgs84_transform(source, context):
         raise QgsProcessingException(
             tr("The point layer has no coordinate reference system. Assign the right one in the layer's properties.")
         )
+    check_not_lost(source.sourceCrs())
     wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
     return QgsCoordinateTransform(source.sourceCrs(), wgs84, context.transformContext())
 

@@ -13,6 +13,7 @@ from qgis.core import (
 )
 
 from .i18n import tr
+from .lost_crs import check_not_lost
 
 
 def to_dem_transform(crs, dem_crs, context):
@@ -21,6 +22,7 @@ def to_dem_transform(crs, dem_crs, context):
         raise QgsProcessingException(
             tr("A layer has no coordinate reference system. Assign the right one in the layer's properties.")
         )
+    check_not_lost(crs)
     return QgsCoordinateTransform(crs, dem_crs, context.transformContext())
 
 

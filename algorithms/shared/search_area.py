@@ -19,6 +19,7 @@ from ...core.base.messages import Message
 from . import parameters as shared
 from .fields import is_null
 from .i18n import tr
+from .lost_crs import check_not_lost, raster_crs
 from .raster_parameter import RasterParameter, no_statistics_file
 
 WGS84 = "EPSG:4326"
@@ -77,7 +78,7 @@ def weights_source(algorithm, parameters, context):
     """Provider and CRS of the raster of weights, for another thread; None without one. Call it in the main thread."""
     with no_statistics_file(parameters.get("WEIGHTS")):
         layer = algorithm.parameterAsRasterLayer(parameters, "WEIGHTS", context)
-    return None if layer is None else (layer.dataProvider().clone(), layer.crs())
+    return None if layer is None else (layer.dataProvider().clone(), raster_crs(layer))
 
 
 class SearchArea:
@@ -169,6 +170,7 @@ def _united(algorithm, parameters, context, name):
     source = algorithm.parameterAsSource(parameters, name, context)
     if source is None:
         raise QgsProcessingException(algorithm.invalidSourceError(parameters, name))
+    check_not_lost(source.sourceCrs())
     wgs84 = QgsCoordinateReferenceSystem(WGS84)
     transform = QgsCoordinateTransform(source.sourceCrs(), wgs84, context.transformContext())
     found = []
