@@ -166,9 +166,20 @@ def _answer(photo, evidence, problem, search, options):
         for k in range(count)
         if profiles[k] is not None
     )
+    held = _region(fitted, moved)
+    return Located(photo.metadata.path, status, message, places, right, held, score, facts)
+
+
+def _region(fitted, moved):
+    """Places of the grid that hold 90 % of the probability, the one nearest the answer included."""
+    scale = np.cos(np.radians(moved.latitude_deg[0]))
+    east, north = fitted.longitude_deg - moved.longitude_deg[0], fitted.latitude_deg - moved.latitude_deg[0]
+    nearest = int(np.hypot(east * scale, north).argmin())
     # Moving raises scores. Only the answer's counts here: the more places were raised, the less the others would weigh.
-    merged = np.where(fitted.source == moved.source[0], np.maximum(fitted.score, moved.score[0]), fitted.score)
-    return Located(photo.metadata.path, status, message, places, right, fitted.source[region(merged)], score, facts)
+    # It counts where the answer lies now, which need not be nearest the place from which it was moved.
+    score = fitted.score.copy()
+    score[nearest] = max(score[nearest], moved.score[0])
+    return fitted.source[region(score)]
 
 
 def _place(photo, evidence, problem, found, says):
