@@ -212,7 +212,8 @@ def _bent(frame, plane, k_max):
     if k_max * most * plane.w_limit < NEGLIGIBLE_PX and np.abs(stretch[:, core]).max() < NEGLIGIBLE_STRETCH:
         return plane
     u = w + bend
-    u_min, u_max = float(u[:, core].min()) - 1e-6, float(u[:, core].max()) + 1e-6
+    ends = np.array([np.interp([-plane.w_limit, plane.w_limit], w, line) for line in u])  # nodes may lie inside these
+    u_min, u_max = float(ends[:, 0].min()) - 1e-6, float(ends[:, 1].max()) + 1e-6
     rays = np.linspace(u_min, u_max, NODES)
     if not (np.diff(u, axis=1) > 0).all():
         raise UnusableDemError(FOLDED)
@@ -226,10 +227,7 @@ def _bent(frame, plane, k_max):
         Table(stretch.astype(np.float32), *frame_of),
         Table((ray_w - rays).astype(np.float32), *ray_of),
         Table((ray_d / plane.rho_m(rays) - 1).astype(np.float32), *ray_of),
-        plane.side_m,
-        plane.w_limit,
-        u_min,
-        u_max,
+        plane.side_m, plane.w_limit, u_min, u_max,
     )  # fmt: skip
 
 

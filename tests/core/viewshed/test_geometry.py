@@ -73,6 +73,14 @@ def test_cells_and_rays_agree_on_who_meets_whom():
             assert back == pytest.approx(w, abs=2e-4)
 
 
+def test_the_rays_reach_the_cells_where_two_quarters_meet():
+    for quarter in all_quarters(bent()):
+        for w in (-quarter.w_limit, quarter.w_limit):
+            place = quarter.bend.place(np.array([w]))
+            u = [w + float(quarter.bend.along(quarter.bend.line(k), place)[0]) for k in (30.0, 300.0, 600.0)]
+            assert quarter.u_min <= min(u) and max(u) <= quarter.u_max
+
+
 def test_a_grid_that_folds_sight_lines_is_refused_with_a_remedy():
     with pytest.raises(UnusableDemError, match="UTM"):
         all_quarters(bent(60.0))
