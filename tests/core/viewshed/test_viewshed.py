@@ -283,11 +283,11 @@ def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
 
 
 def test_dropping_hidden_blocks_changes_nothing(monkeypatch):
-    from skyline_viewshed.core.viewshed import slabs
+    from skyline_viewshed.core.viewshed import blocks
 
     terrain, observer = stand(fractal(400, seed=14), 30.0, 210.3, 180.8, 5.0)
     quick = viewshed(terrain, observer).values
-    monkeypatch.setattr(slabs, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
+    monkeypatch.setattr(blocks, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
     assert np.array_equal(viewshed(terrain, observer).values, quick)
 
 
