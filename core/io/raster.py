@@ -25,6 +25,8 @@ PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Range of elevations on Earth, with a margin; values outside it are fill values (-32768, -3.4e38, 1e20, ...), tagged
 or not."""
 
+LONG_ROW = 1024
+
 COMMON_FILL = -9999.0
 """Value that counts as nodata even without a tag; as a depth it occurs in ocean trenches only."""
 
@@ -184,7 +186,7 @@ class Dem(Terrain):
             raise UnusableDemError(
                 Message("The DEM {path} is damaged ({reason}). Copy it again.", path=self.path, reason=reason)
             )
-        if hidden is None and self._surely_valid(float(strip.min()), float(strip.max())):
+        if hidden is None and self._surely_valid(*_range_of(strip)):
             return
         void = ~np.isfinite(strip)
         void |= (strip == self._fill) | (strip == np.float32(COMMON_FILL))
@@ -279,3 +281,10 @@ class Dem(Terrain):
         """Shift x by whole periods of the CRS to the repetition of the world in which the raster lies."""
         middle_x = self.geotransform[0] + self.geotransform[1] * self.shape[1] / 2
         return middle_x + wrap_180((x - middle_x) * (360 / period)) * (period / 360)
+
+
+def _range_of(strip):
+    """Lowest and highest value, NaN if there is one; reducing long rows first takes two thirds of the time."""
+    if strip.shape[1] < LONG_ROW:
+        return float(strip.min()), float(strip.max())
+    return float(strip.min(axis=1).min()), float(strip.max(axis=1).max())

@@ -44,6 +44,11 @@ class Blocks:
         options, quarter = sweep.options, sweep.quarter
         near, far = k[[band.start for band in bands], None], k[[band.stop - 1 for band in bands], None]
         low = np.arange(start, start + cells.shape[1], WIDE) - (1 + quarter.origin_along)
+        of_rays = () if quarter.plane else (quarter.ray_bend, quarter.ray_stretch)
+        of_cells = () if quarter.plane else (quarter.bend,)
+        self.curves = [
+            np.array([table.lines(end) for table in tables for end in (near, far)]) for tables in (of_rays, of_cells)
+        ]
         self.first, self.last, matters = self._rays_between(near, far, low)
         self.nearest, self.farthest = self._distances(near, far, low + (WIDE + 1) / 2)
         matters &= self.nearest <= options.max_distance_m
@@ -67,7 +72,9 @@ class Blocks:
         active = ((self.bound[number] >= lowest) & (lowest < CLOSED)).nonzero()[0]
         voids = self.void is not None and bool(self.void[number].any())
         reach = self.nearest[number].take(active), self.farthest[number].take(active)
-        return BandBlocks(self.sweep, active, (first.take(active), last.take(active)), reach, voids)
+        chosen = BandBlocks(self.sweep, active, (first.take(active), last.take(active)), reach, voids)
+        chosen.curves = [lines[:, number] for lines in self.curves if len(lines)]
+        return chosen
 
     def _rays_between(self, near, far, low):
         """First and last ray that crosses each block of each band, with a margin of two, and whether there is any."""
@@ -120,7 +127,11 @@ class BandBlocks:
         Ground distances between which the blocks lie [m].
     voids : bool
         Whether any cell of the band has no data.
+    curves : list of a (4, W) and a (2, W) array
+        The quarter's tables for rays, and that for cells, each at the first and the last line; empty if it has none.
     """
+
+    curves = ()
 
     def __init__(self, sweep, active, ends, reach, voids):
         self.active, self.voids = active, voids

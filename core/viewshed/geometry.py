@@ -31,6 +31,9 @@ FOLDED = Message(
 NODES = 65
 """Nodes of the tables per side."""
 
+ENOUGH_M = 1e-7
+"""After steps of this length, which become a hundred times shorter each time, a place is exact to all digits [m]."""
+
 NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-5
 """Rays that bend by less than this at the far end, over a grid whose scale drifts by less, count as straight."""
 
@@ -201,7 +204,7 @@ def _cell_tables(frame, plane, k_max, reach):
     k = np.linspace(0.0, k_max, NODES)[:, None]
     k = np.maximum(k, 1e-3)
     col, row = plane.to_pixel(w * k, k)
-    east, north = frame.to_local(col, row, iterations=8)
+    east, north = frame.to_local(col, row, 8, ENOUGH_M)
     j_line, k_line = np.tensordot(np.linalg.inv(plane.to_metres), np.array([east, north]), axes=1)
     if not (k_line > 0).all():
         raise UnusableDemError(FOLDED)

@@ -149,7 +149,7 @@ class Slabs:
         """Columns (rows) between which the open rays cross the lines `k`: whole pixels (low, high)."""
         w = self._ends + np.zeros((len(k), 1))
         if not self.quarter.plane:
-            w = w + self.quarter.ray_bend.at(k, self.quarter.ray_bend.place(self._ends))
+            w = w + self.quarter.ray_bend.each(k[:, None], w)
         j = w * np.asarray(k)[:, None]
         return (
             int(np.floor(j.min() + self.quarter.origin_along)) - 2,

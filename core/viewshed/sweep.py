@@ -20,7 +20,7 @@ from ..base.progress import checkpoint
 from ..base.viewed import UNKNOWN
 from .blocks import BAND, CLOSED, NEVER, WIDE, Blocks, bands_of
 from .slabs import Slabs, transposed
-from .table import QUICK, Table, beside, held_places, shares
+from .table import QUICK, Table, beside, between, held_places, shares
 
 TINY = np.float32(1e-6)
 OUTSIDE, INSIDE, EDGE = np.uint8(0), np.uint8(1), np.uint8(2)
@@ -149,10 +149,11 @@ class QuarterSweep:
         distance = self.rho.take(rays) * k32
         if not self.quarter.plane:
             place = tuple(part.take(rays) for part in self.ray_place)
-            bend = self.quarter.ray_bend.at(k, place)
+            ends = Table.along(blocks.curves[0], place)
+            bend = between(*ends[:2], shares(k))
             bend *= k32
             position += bend
-            stretch = self.quarter.ray_stretch.at(k, place)
+            stretch = between(*ends[2:], shares(k))
             stretch += 1
             distance *= stretch
         position += self.along_part
@@ -199,7 +200,7 @@ class QuarterSweep:
         ray -= np.float32(self.u_first)
         if not quarter.plane:
             place = quarter.bend.place(j / np.float32(k.mean()))
-            ray += quarter.bend.at(k, place)
+            ray += between(*Table.along(blocks.curves[1], place), shares(k))
         ray *= np.float32(1 / self.spacing)
         whole = np.trunc(ray)
         index, held = held_places(whole, 0, len(self.u) - 2)
@@ -208,7 +209,7 @@ class QuarterSweep:
             np.maximum(ray, np.float32(0), out=ray)
             np.minimum(ray, np.float32(1), out=ray)
         index = index.astype(np.intp)
-        between = None if self.between is None else self.between.take(index)
+        kind = None if self.between is None else self.between.take(index)
         index = blocks.compact.take(index, mode=QUICK)
         rays = passed.distance.shape[1]
         index += np.arange(0, count * rays, rays, np.int32)[:, None]
@@ -236,8 +237,8 @@ class QuarterSweep:
                 value[seen & (crossed.take(index) | crossed.take(index + 1))] = UNKNOWN
             value[self._keep_mine(np.isnan(elevation), along, k, distance, blocks)] = UNKNOWN
         if self.between is not None:
-            value[between == OUTSIDE] = 0
-            asked = between == EDGE
+            value[kind == OUTSIDE] = 0
+            asked = kind == EDGE
             self._select(np.where(asked, value, 0), value, k, w, distance, tangent)
         elif self.sector.selective:
             value = value.astype(self.sink.dtype, copy=False)

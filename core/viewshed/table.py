@@ -28,19 +28,16 @@ class Table:
     w_min: float
     w_max: float
 
-    def at(self, k, place):
-        """(len(k), n) values at neighbouring distances (linear between first and last) and n places."""
-        low, high = (self.along(self.line(end), place) for end in (k[0], k[-1]))
-        high -= low
-        between = high * shares(k)[:, None]
-        between += low
-        return between
-
     def line(self, k):
         """(W,) values at one distance, ready for `along`."""
-        place = min(max(float(k) / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
-        low = min(int(place), len(self.values) - 2)
-        return self.values[low] + (self.values[low + 1] - self.values[low]) * (place - low)
+        return self.lines(np.array([[k]]))[0]
+
+    def lines(self, k):
+        """(M, W) values at M distances, given as (M, 1)."""
+        place = np.minimum(np.maximum(k / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
+        low = np.minimum(place.astype(np.intp), len(self.values) - 2)
+        first, last = self.values[low[:, 0]], self.values[low[:, 0] + 1]
+        return first + (last - first) * (place - low).astype(np.float32)
 
     def place(self, w):
         """(node, share) of each w, ready for `along`."""
@@ -55,19 +52,42 @@ class Table:
         return node, place.astype(np.float32, copy=False)
 
     def each(self, k, w):
-        """(M, n) values at M distances, given as (M, 1), and n places at each, rounded otherwise than by `at`."""
-        place = np.minimum(np.maximum(k / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
-        low = np.minimum(place.astype(np.intp), len(self.values) - 2)[:, 0]
-        lines = self.values[low]
-        lines = lines + (self.values[low + 1] - lines) * (place - low[:, None]).astype(np.float32)
+        """(M, n) values at M distances, given as (M, 1), and n places at each."""
+        lines = self.lines(k)
         node, share = self.place(w)
         node += np.arange(len(k))[:, None] * lines.shape[1]
         return beside(lines.reshape(-1), node, share)
 
     @staticmethod
-    def along(line, place):
-        """Interpolate a `line` at places on it."""
-        return beside(line, *place)
+    def along(lines, place):
+        """Interpolate (M, W) `lines` at n places on each, or one line."""
+        node, share = place
+        low = lines.take(node, axis=-1, mode=QUICK)
+        values = lines[..., 1:].take(node, axis=-1, mode=QUICK)
+        values -= low
+        values *= share
+        values += low
+        return values
+
+
+def between(low, high, shares):
+    """Interpolate between the values of two lines, whose `high` is overwritten.
+
+    Parameters
+    ----------
+    low, high : (n,) arrays
+        Values on the first and the last line.
+    shares : (K,) array
+        See the function of this name.
+
+    Returns
+    -------
+    (K, n) array
+    """
+    high -= low
+    values = high * shares[:, None]
+    values += low
+    return values
 
 
 def shares(k):

@@ -39,7 +39,7 @@ KEPT_BYTES = 30 * 2**20
 """Memory of arrays up to this size is reused. Linux's allocator returns the memory of large arrays to the system until
 an even larger one has been freed, and fetching it again, page by page, takes as long as a tenth of a sweep."""
 
-LEAST_CELLS = 1_000_000
+LEAST_CELLS = 100_000_000
 """Windows of fewer cells are swept in one thread: threads would cost more than they save."""
 
 FRAME_MARGIN = 1.6

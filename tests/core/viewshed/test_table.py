@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from skyline_viewshed.core.viewshed.table import Table, beside, held_places, shares
+from skyline_viewshed.core.viewshed.table import Table, beside, between, held_places, shares
 
 
 @pytest.fixture
@@ -12,7 +12,7 @@ def test_values_between_nodes_are_bilinear_and_those_beyond_them_are_held(table)
     k, w = np.array([125.0, 140.0, 156.25]), np.linspace(-1.5, 1.5, 41).astype(np.float32)
     rows = np.array([np.interp(w, np.linspace(-1.2, 1.1, 33), row) for row in table.values])
     line = [np.array([np.interp(at, np.linspace(0, 500, 17), column) for column in rows.T]) for at in k]
-    found = table.at(k, table.place(w))
+    found = between(*table.along(table.lines(k[[0, -1], None]), table.place(w)), shares(k))
     assert np.allclose(found[[0, 2]], [line[0], line[2]], atol=1e-5)
     assert np.allclose(found[1], line[0] + (line[2] - line[0]) * shares(k)[1], atol=1e-5)
 
