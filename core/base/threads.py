@@ -62,7 +62,8 @@ def side_by_side(tasks: Sequence[Callable[[Progress], Any]], progress: Progress 
             task(subtask(progress, done / len(tasks), (done + 1) / len(tasks)))
         return
     shares = [_Share() for _ in tasks]
-    waiting, errors = list(zip(tasks, shares))[::-1], []
+    waiting = list(zip(tasks, shares))[::-1]
+    errors: list[BaseException] = []
 
     def work() -> None:
         while waiting and not errors:

@@ -72,9 +72,8 @@ class Blocks:
         active = ((self.bound[number] >= lowest) & (lowest < CLOSED)).nonzero()[0]
         voids = self.void is not None and bool(self.void[number].any())
         reach = self.nearest[number].take(active), self.farthest[number].take(active)
-        chosen = BandBlocks(self.sweep, active, (first.take(active), last.take(active)), reach, voids)
-        chosen.curves = [lines[:, number] for lines in self.curves if len(lines)]
-        return chosen
+        curves = [lines[:, number] for lines in self.curves if len(lines)]
+        return BandBlocks(self.sweep, active, (first.take(active), last.take(active)), reach, voids, curves)
 
     def _rays_between(self, near, far, low):
         """First and last ray that crosses each block of each band, with a margin of two, and whether there is any."""
@@ -131,10 +130,8 @@ class BandBlocks:
         The quarter's tables for rays, and that for cells, each at the first and the last line; empty if it has none.
     """
 
-    curves = ()
-
-    def __init__(self, sweep, active, ends, reach, voids):
-        self.active, self.voids = active, voids
+    def __init__(self, sweep, active, ends, reach, voids, curves):
+        self.active, self.voids, self.curves = active, voids, curves
         self.nearest_m, self.farthest_m = reach[0].min(initial=np.inf), reach[1].max(initial=0.0)
         size = len(sweep.u)
         change = np.bincount(ends[0], minlength=size + 1)

@@ -137,8 +137,7 @@ class QuarterSweep:
         """Sample the rays of the blocks that matter, judge their cells, and return these blocks."""
         if len(blocks.rays) < 2:
             return blocks.active[:0]
-        passed = self._sample_rays(k, cells, start, blocks)
-        self._judge_cells(k, cells, start, blocks, passed, result)
+        self._judge_cells(k, cells, start, blocks, self._sample_rays(k, cells, start, blocks), result)
         return blocks.active
 
     def _sample_rays(self, k, cells, start, blocks):
@@ -150,10 +149,10 @@ class QuarterSweep:
         if not self.quarter.plane:
             place = tuple(part.take(rays) for part in self.ray_place)
             ends = Table.along(blocks.curves[0], place)
-            bend = between(*ends[:2], shares(k))
+            bend = between(ends[0], ends[1], shares(k))
             bend *= k32
             position += bend
-            stretch = between(*ends[2:], shares(k))
+            stretch = between(ends[2], ends[3], shares(k))
             stretch += 1
             distance *= stretch
         position += self.along_part
@@ -200,7 +199,8 @@ class QuarterSweep:
         ray -= np.float32(self.u_first)
         if not quarter.plane:
             place = quarter.bend.place(j / np.float32(k.mean()))
-            ray += between(*Table.along(blocks.curves[1], place), shares(k))
+            first, last = Table.along(blocks.curves[1], place)
+            ray += between(first, last, shares(k))
         ray *= np.float32(1 / self.spacing)
         whole = np.trunc(ray)
         index, held = held_places(whole, 0, len(self.u) - 2)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ class Table:
         First and last node in w.
     """
 
-    values: np.ndarray | None
+    values: Any
     k_max: float
     w_min: float
     w_max: float
