@@ -17,7 +17,7 @@ import numpy as np
 from bench_speed import BUILD, DROP, Scene
 from scipy.ndimage import map_coordinates
 from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer
-from skyline_viewshed.core.viewshed import slabs as viewshed_blocks
+from skyline_viewshed.core.viewshed import blocks as viewshed_blocks
 from skyline_viewshed.core.viewshed.viewshed import ViewshedOptions, viewshed
 
 

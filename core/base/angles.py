@@ -6,10 +6,14 @@ raster's columns. The two differ by the grid convergence.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .arrays import FloatOrArray
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 def wrap_360(angle_deg: ArrayLike) -> FloatOrArray:

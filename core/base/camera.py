@@ -15,9 +15,12 @@ down (clockwise seen from behind); a positive roll makes the horizon climb to th
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 DIAGONAL_35MM = float(np.hypot(36.0, 24.0))
 """Diagonal of the 35 mm frame [mm], to which EXIF's FocalLengthIn35mmFilm refers (CIPA DCG-001, Exif 2.32)."""

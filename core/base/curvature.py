@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .arrays import FloatOrArray
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 EARTH_RADIUS_M = 6_371_000.0
 METRES_PER_DEGREE = EARTH_RADIUS_M * np.pi / 180

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 SIDELOBE_EXCLUSION_DEG = 5.0
 """Headings this close to the peak do not count as sidelobes [degrees]."""

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .camera import Camera, Pose, project, project_vectors, to_camera_axes
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 OUTSIDE = 0.25
 """Distance beyond the picture's edge up to which directions count as near it, as a share of the picture's size."""

@@ -11,9 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 NEGLIGIBLE_PX = 0.02
 """A remainder below this is neglected instead of interpolated [cells]."""
@@ -90,7 +93,9 @@ class LocalFrame:
             col, row = col + bent_col, row + bent_row
         return col, row
 
-    def to_local(self, col_px: ArrayLike, row_px: ArrayLike, iterations: int = 3) -> tuple[np.ndarray, np.ndarray]:
+    def to_local(
+        self, col_px: ArrayLike, row_px: ArrayLike, iterations: int = 3, enough_m: float = 0.0
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Map (col, row) of the whole raster to local (east, north) [m]; the inverse of `to_pixel`.
 
         The remainder is small compared with the affine part, so a few fixed-point steps converge to well below a
@@ -101,7 +106,9 @@ class LocalFrame:
         col_px, row_px : array
             Pixels of the whole raster; broadcast together.
         iterations : int
-            Number of fixed-point steps.
+            Largest number of fixed-point steps.
+        enough_m : float
+            No further step is made after one that is nowhere longer than this along either axis [m].
         """
         inverse = np.linalg.inv(self.jacobian_px_per_m)
         col_px, row_px = np.broadcast_arrays(np.asarray(col_px, float), np.asarray(row_px, float))
@@ -112,6 +119,8 @@ class LocalFrame:
             col, row = self.to_pixel(east, north)
             step_east, step_north = _apply(inverse, col_px - col, row_px - row)
             east, north = east + step_east, north + step_north
+            if enough_m and max(np.abs(step_east).max(), np.abs(step_north).max()) <= enough_m:
+                break
         return east, north
 
 

@@ -7,14 +7,16 @@ the edge pixel's centre unless stated otherwise.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy import ndimage, sparse
 
 from . import imaging
 from .optional import available
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 GREY_WEIGHTS = (9798, 19235, 3735)
 """BT.601 luma weights in units of 2^-15, the fixed-point form in which OpenCV rounds."""

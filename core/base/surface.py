@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .camera import to_camera_axes
 from .frame import LocalFrame
 from .terrain import Terrain, Window, bilinear
 from .view import View
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 TILE_CELLS = 1024
 

@@ -7,14 +7,17 @@ simulated scenes and callers that already have the elevations.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .arrays import FloatOrArray
 from .curvature import METRES_PER_DEGREE
 from .errors import NoElevationAtObserverError, ObserverOutsideDemError
 from .frame import LocalFrame, tabulate_frame
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Sequence
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from typing import Any, Callable
 
 from .progress import SILENT, Progress, checkpoint, subtask
@@ -63,21 +62,39 @@ def side_by_side(tasks: Sequence[Callable[[Progress], Any]], progress: Progress 
             task(subtask(progress, done / len(tasks), (done + 1) / len(tasks)))
         return
     shares = [_Share() for _ in tasks]
-    with ThreadPoolExecutor(threads) as pool:
-        futures = [pool.submit(task, share) for task, share in zip(tasks, shares)]
-        try:
-            waiting = set(futures)
-            while waiting:
-                _, waiting = wait(waiting, INTERVAL_S, FIRST_EXCEPTION)
-                for future in futures:
-                    if future.done():
-                        future.result()
+    waiting = list(zip(tasks, shares))[::-1]
+    errors: list[BaseException] = []
+
+    def work() -> None:
+        while waiting and not errors:
+            try:
+                task, share = waiting.pop()
+            except IndexError:  # another thread was faster
+                return
+            try:
+                task(share)
+            except BaseException as error:  # the calling thread raises it
+                errors.append(error)
+
+    # Plain threads: the import of `concurrent.futures` takes longer than all else that this function does itself.
+    crew = [threading.Thread(target=work) for _ in range(threads)]
+    for thread in crew:
+        thread.start()
+    try:
+        for thread in crew:
+            while thread.is_alive() and not errors:
+                thread.join(INTERVAL_S)
                 checkpoint(progress, sum(share.fraction for share in shares) / len(shares))
-        except BaseException:
-            for share, future in zip(shares, futures):
-                future.cancel()
-                share.stop.set()
-            raise
+        if not errors:
+            checkpoint(progress, sum(share.fraction for share in shares) / len(shares))
+    finally:
+        waiting.clear()
+        for share in shares:
+            share.stop.set()
+        for thread in crew:
+            thread.join()
+    if errors:
+        raise errors[0]
 
 
 class _Share:

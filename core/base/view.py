@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .camera import Camera, Pose, in_frame, project, project_vectors, unproject
 from .curvature import REFRACTION_COEFFICIENT, apparent_drop_m
@@ -13,6 +13,9 @@ from .frame import LocalFrame
 from .posed import PosedPhoto
 from .terrain import Terrain, eye_elevation_m
 from .uncertainty import PoseUncertainty
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .frame import LocalFrame
+from .memory import zeros
 from .terrain import Window
 
 COUNTED_ROWS = 1024
@@ -115,7 +116,7 @@ class ArraySink(Sink):
     def __init__(self, window: Window, dtype: Any = np.uint8) -> None:
         self.window, self.dtype = window, np.dtype(dtype)
         self.wants_clearance = self.dtype.kind == "f"
-        self.values = np.zeros((window.rows, window.cols), self.dtype)
+        self.values = zeros((window.rows, window.cols), self.dtype)
 
     def add(self, window: Window, values: np.ndarray) -> None:
         """See `Sink.add`."""

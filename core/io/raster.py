@@ -25,6 +25,11 @@ PLAUSIBLE_M = (-12_000.0, 30_000.0)
 """Range of elevations on Earth, with a margin; values outside it are fill values (-32768, -3.4e38, 1e20, ...), tagged
 or not."""
 
+LONG_ROW = 1024
+"""From this length on rows are reduced one by one, which is faster where they are not contiguous."""
+
+INFINITY_BITS = 0x7F800000
+
 COMMON_FILL = -9999.0
 """Value that counts as nodata even without a tag; as a depth it occurs in ocean trenches only."""
 
@@ -184,7 +189,7 @@ class Dem(Terrain):
             raise UnusableDemError(
                 Message("The DEM {path} is damaged ({reason}). Copy it again.", path=self.path, reason=reason)
             )
-        if hidden is None and self._surely_valid(float(strip.min()), float(strip.max())):
+        if hidden is None and any(self._surely_valid(*limits) for limits in _ranges(strip)):
             return
         void = ~np.isfinite(strip)
         void |= (strip == self._fill) | (strip == np.float32(COMMON_FILL))
@@ -279,3 +284,15 @@ class Dem(Terrain):
         """Shift x by whole periods of the CRS to the repetition of the world in which the raster lies."""
         middle_x = self.geotransform[0] + self.geotransform[1] * self.shape[1] / 2
         return middle_x + wrap_180((x - middle_x) * (360 / period)) * (period / 360)
+
+
+def _ranges(strip):
+    """Ranges that hold all values: if nothing is void or below 0, one that takes a single pass; then the exact one.
+
+    The exact range is NaN if anything is void.
+    """
+    bits = strip.view(np.uint32)  # as whole numbers, floats from 0 keep their order, and all others are larger
+    highest = bits.max(axis=1).max() if strip.shape[1] >= LONG_ROW else bits.max()
+    if highest < INFINITY_BITS:
+        yield 0.0, float(highest.view(np.float32))
+    yield float(strip.min()), float(strip.max())

@@ -22,6 +22,7 @@ import numpy as np
 
 from ..base.errors import UnusableDemError
 from ..base.messages import Message
+from .table import Table
 
 FOLDED = Message(
     "The DEM's coordinate system distorts sight lines too strongly here. Use a DEM in a projected "
@@ -30,53 +31,11 @@ FOLDED = Message(
 NODES = 65
 """Nodes of the tables per side."""
 
+ENOUGH_M = 1e-7
+"""After steps of this length, which become a hundred times shorter each time, a place is exact to all digits [m]."""
+
 NEGLIGIBLE_PX, NEGLIGIBLE_STRETCH = 0.05, 1e-5
 """Rays that bend by less than this at the far end, over a grid whose scale drifts by less, count as straight."""
-
-
-@dataclass(frozen=True, eq=False)
-class Table:
-    """A smooth function over (k, w) on regular nodes; zero if `values` is None.
-
-    Attributes
-    ----------
-    values : (K, W) array or None
-    k_max : float
-        Last node in k; the first is 0 [lines].
-    w_min, w_max : float
-        First and last node in w.
-    """
-
-    values: np.ndarray | None
-    k_max: float
-    w_min: float
-    w_max: float
-
-    def at(self, k, place):
-        """(len(k), n) values at neighbouring distances (linear between first and last) and n places."""
-        low, high = (self.along(self.line(end), place) for end in (k[0], k[-1]))
-        return low + (high - low) * shares(k)[:, None]
-
-    def line(self, k):
-        """(W,) values at one distance, ready for `along`."""
-        place = min(max(float(k) / self.k_max, 0.0), 1.0) * (len(self.values) - 1)
-        low = min(int(place), len(self.values) - 2)
-        return self.values[low] + (self.values[low + 1] - self.values[low]) * (place - low)
-
-    def place(self, w):
-        """(node, share) of each w, ready for `along`."""
-        nodes = self.values.shape[1]
-        place = (w - self.w_min) * ((nodes - 1) / (self.w_max - self.w_min))
-        place = np.minimum(np.maximum(place, 0), nodes - 1)
-        node = np.minimum(place.astype(np.intp), nodes - 2)
-        return node, (place - node).astype(np.float32)
-
-    @staticmethod
-    def along(line, place):
-        """Interpolate a `line` at places on it."""
-        node, share = place
-        low = line.take(node)
-        return low + (line.take(node + 1) - low) * share
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,13 +104,8 @@ class Quarter:
         return (along, line) if self.by_rows else (line, along)
 
 
-def shares(k):
-    """Position of each distance between the first (0) and the last (1): float32."""
-    return ((k - k[0]) / max(k[-1] - k[0], 1e-9)).astype(np.float32)
-
-
 def quarters(frame, k_max, touches=None):
-    """Set up the four quarters around a frame's observer.
+    """Set up the four quarters around a frame's observer, still without tables.
 
     Parameters
     ----------
@@ -159,24 +113,17 @@ def quarters(frame, k_max, touches=None):
     k_max : dict
         Farthest line of each quarter, keyed by (by_rows, sign) [lines]; quarters with less than one are left out.
     touches : callable or None
-        The sector's `touches`: quarters in which it touches no azimuth are left out, to save their tables.
+        The sector's `touches`: quarters in which it touches no azimuth are left out.
 
     Returns
     -------
     list of Quarter
-
-    Raises
-    ------
-    UnusableDemError
-        The CRS bends sight lines too much within range (a raster in longitude and latitude at a pole).
     """
     plane = [_plane(frame, by_rows, sign, far) for (by_rows, sign), far in k_max.items() if far > 0]
     if touches is not None:  # a quarter's rays bend by less than half its width
         rays = np.linspace(-1.5, 1.5, 181)
         plane = [quarter for quarter in plane if touches(quarter.azimuth_deg(rays * quarter.w_limit), 2.0).any()]
-    if frame.remainder_px is None:
-        return plane
-    return [_bent(frame, quarter, k_max[quarter.by_rows, quarter.sign]) for quarter in plane]
+    return plane
 
 
 def _plane(frame, by_rows, sign, k_max):
@@ -192,8 +139,28 @@ def _plane(frame, by_rows, sign, k_max):
     )
 
 
-def _bent(frame, plane, k_max):
-    """Fill a quarter's tables from the frame."""
+def tabulated(frame, plane, k_max):
+    """Fill a quarter's tables from the frame, unless its sight lines are straight within the range.
+
+    Parameters
+    ----------
+    frame : LocalFrame
+    plane : Quarter
+        One of `quarters`.
+    k_max : float
+        Its farthest line.
+
+    Returns
+    -------
+    Quarter
+
+    Raises
+    ------
+    UnusableDemError
+        The CRS bends sight lines too much within range (a raster in longitude and latitude at a pole).
+    """
+    if frame.remainder_px is None:
+        return plane
     reach = 1.0
     for _ in range(3):
         w, bend, stretch = _cell_tables(frame, plane, k_max, reach)
@@ -212,7 +179,8 @@ def _bent(frame, plane, k_max):
     if k_max * most * plane.w_limit < NEGLIGIBLE_PX and np.abs(stretch[:, core]).max() < NEGLIGIBLE_STRETCH:
         return plane
     u = w + bend
-    u_min, u_max = float(u[:, core].min()) - 1e-6, float(u[:, core].max()) + 1e-6
+    ends = np.array([np.interp([-plane.w_limit, plane.w_limit], w, line) for line in u])  # nodes may lie inside these
+    u_min, u_max = float(ends[:, 0].min()) - 1e-6, float(ends[:, 1].max()) + 1e-6
     rays = np.linspace(u_min, u_max, NODES)
     if not (np.diff(u, axis=1) > 0).all():
         raise UnusableDemError(FOLDED)
@@ -226,10 +194,7 @@ def _bent(frame, plane, k_max):
         Table(stretch.astype(np.float32), *frame_of),
         Table((ray_w - rays).astype(np.float32), *ray_of),
         Table((ray_d / plane.rho_m(rays) - 1).astype(np.float32), *ray_of),
-        plane.side_m,
-        plane.w_limit,
-        u_min,
-        u_max,
+        plane.side_m, plane.w_limit, u_min, u_max,
     )  # fmt: skip
 
 
@@ -239,7 +204,7 @@ def _cell_tables(frame, plane, k_max, reach):
     k = np.linspace(0.0, k_max, NODES)[:, None]
     k = np.maximum(k, 1e-3)
     col, row = plane.to_pixel(w * k, k)
-    east, north = frame.to_local(col, row, iterations=8)
+    east, north = frame.to_local(col, row, 8, ENOUGH_M)
     j_line, k_line = np.tensordot(np.linalg.inv(plane.to_metres), np.array([east, north]), axes=1)
     if not (k_line > 0).all():
         raise UnusableDemError(FOLDED)
@@ -247,54 +212,3 @@ def _cell_tables(frame, plane, k_max, reach):
     stretch = np.hypot(east, north) / (k * plane.rho_m(w)) - 1
     bend[0], stretch[0] = 0.0, 0.0
     return w, bend, stretch
-
-
-def beside(values, index, share):
-    """Interpolate values between neighbouring rays.
-
-    Parameters
-    ----------
-    values : (lines, rays) array
-    index : integer array
-        The first of both neighbours, counted through the flat array.
-    share : array
-        Weight of the second neighbour, 0 to 1.
-    """
-    flat = values.reshape(-1)
-    low = flat.take(index)
-    high = flat.take(index + 1)
-    high -= low
-    high *= share
-    low += high
-    return low
-
-
-def held_places(whole, first, last):
-    """Turn whole numbers into indices that stay within an array.
-
-    Parameters
-    ----------
-    whole : (lines, N) float array
-        Whole numbers that grow along each line.
-    first : int
-        Added to each.
-    last : int
-        Largest index.
-
-    Returns
-    -------
-    index : (lines, N) integer array
-        `first + whole`, clamped to 0 to `last`.
-    held : bool
-        Whether any had to be clamped.
-    """
-    ends = whole[:, [0, -1]]
-    if ends.min() + first >= 1 and ends.max() + first < last:  # rounding can make them decrease by one
-        index = whole.astype(np.int32).astype(np.intp)  # half the time of a single conversion
-        index += first
-        return index, False
-    index = whole.astype(np.intp)
-    index += first
-    np.maximum(index, 0, out=index)  # `np.clip` takes four times as long
-    np.minimum(index, last, out=index)
-    return index, True

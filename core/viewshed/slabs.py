@@ -8,9 +8,14 @@ from threading import Lock
 import numpy as np
 
 from ..base.terrain import Terrain, Window
+from .blocks import BAND, LOW
 
 SLAB = 256
 """Number of lines read at once; slabs start at its multiples, as the tiles of usual files do."""
+
+PIECE, GAP = 256, 16
+"""Cells along the lines that are transposed together so that they stay in the processor's cache, and cells between the
+rows of what is transposed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +74,7 @@ class Slabs:
     def __init__(self, ground, u, open_rays):
         self.terrain, self.quarter, self.window = ground.terrain, ground.quarter, ground.window
         self._ends = u[np.flatnonzero(open_rays)[[0, -1]]]
-        self._memory = np.empty(0, np.float32)
+        self._memory, self._columns = np.empty(0, np.float32), np.empty(0, np.float32)
 
     def lines(self):
         """Lines of the quarter, outwards, in groups that start at multiples of `SLAB`."""
@@ -111,9 +116,9 @@ class Slabs:
         if by_rows:
             self.terrain.read_into(window, place)
         else:
-            values = self.terrain.read(window)
-            for row in range(0, len(values), 512):  # transposing piecewise stays in the cache
-                place[:, row : row + 512] = values[row : row + 512].T
+            values = self._read_columns(window)
+            for row in range(0, len(values), PIECE):
+                place[:, row : row + PIECE] = values[row : row + PIECE].T
         # The outer half cells belong to the raster, and a cell on its edge is judged by a ray outside the edge too.
         if inner > start:
             cells[:, max(inner - start - 2, 0) : inner - start] = cells[:, inner - start, None]
@@ -127,11 +132,24 @@ class Slabs:
             self._memory = np.empty(rows * cols, np.float32)
         return self._memory[: rows * cols].reshape(rows, cols)
 
+    def _read_columns(self, window):
+        """Read a window whose columns are the lines, with gaps between its rows.
+
+        Rows that are a power of two apart compete for the same places of the processor's cache: without the gaps the
+        transposition takes twice as long.
+        """
+        stride = window.cols + GAP
+        if len(self._columns) < window.rows * stride:
+            self._columns = np.empty(window.rows * stride, np.float32)
+        values = self._columns[: window.rows * stride].reshape(window.rows, stride)[:, : window.cols]
+        self.terrain.read_into(window, values)
+        return values
+
     def _along_range(self, k):
         """Columns (rows) between which the open rays cross the lines `k`: whole pixels (low, high)."""
         w = self._ends + np.zeros((len(k), 1))
         if not self.quarter.plane:
-            w = w + self.quarter.ray_bend.at(k, self.quarter.ray_bend.place(self._ends))
+            w = w + self.quarter.ray_bend.each(k[:, None], w)
         j = w * np.asarray(k)[:, None]
         return (
             int(np.floor(j.min() + self.quarter.origin_along)) - 2,
@@ -163,122 +181,9 @@ class Slabs:
         return window, slice(inner - start, end - start)
 
 
-BAND = 32
-"""Lines per band and cells per block, aligned to the raster so that the result does not depend on how it is read."""
-
-LOW = np.float32(-1e25)
-"""Elevation that never obstructs and is never seen, used beyond the raster's edge."""
-
-NEVER, CLOSED = np.float32(-1e9), np.float32(1e9)
-"""Tangents of a ray that nothing obstructs yet, and of a ray outside the sector."""
-
-CHUNK = 16
-"""Number of rays whose minimum is taken together; a power of two."""
-
-
-class Blocks:
-    """The blocks of one band, their bounds and the rays that pass them.
-
-    Attributes
-    ----------
-    active : (n,) int array
-        Blocks that must be examined.
-    first_ray, last_ray : (n,) int arrays
-        Rays that touch the blocks, with a margin.
-    """
-
-    def __init__(self, sweep, k, cells, start):
-        self.sweep = sweep
-        options, quarter = sweep.options, sweep.quarter
-        top, void = _highest(cells)
-        count = len(top)
-        low = start + BAND * np.arange(count) - 1 - quarter.origin_along
-        first, last = self._rays_between(k, low, low + BAND + 1)
-        rays = len(sweep.u)
-        touched = (last >= 0) & (first < rays)
-        first, last = (np.minimum(np.maximum(ray, 0), rays - 1) for ray in (first, last))  # np.clip takes far longer
-        nearest, farthest = self._distances(k, low + (BAND + 1) / 2)
-        lowest = range_minimum(sweep.highest, first, last)
-        height = top.astype(np.float64) + (options.target_height_m - options.eye_m)
-        bound = np.where(height >= 0, height / nearest, height / farthest) - options.drop_per_m2 * nearest
-        matters = (bound + 1e-6 * (1 + np.abs(bound)) >= lowest) | void | sweep.sink.wants_clearance
-        matters &= touched & (nearest <= options.max_distance_m) & (lowest < CLOSED)
-        self.active = np.flatnonzero(matters)
-        self.first_ray, self.last_ray = first[self.active], last[self.active]
-
-    def rays(self):
-        """Open rays of the active blocks, and for every ray its position among them (or its left neighbour's)."""
-        size = len(self.sweep.u)
-        change = np.bincount(self.first_ray, minlength=size + 1) - np.bincount(self.last_ray + 1, minlength=size + 1)
-        chosen = (np.cumsum(change)[:size] > 0) & self.sweep.open
-        compact = np.cumsum(chosen) - 1
-        return np.flatnonzero(chosen), np.minimum(np.maximum(compact, 0), max(int(compact[-1]) - 1, 0))
-
-    def _rays_between(self, k, low, high):
-        """First and last ray that crosses each block, with a margin of two; they may lie outside the list."""
-        sweep, quarter = self.sweep, self.sweep.quarter
-        u_low = np.minimum(low / k[0], low / k[-1])
-        u_high = np.maximum(high / k[0], high / k[-1])
-        if not quarter.plane:
-            lines = [quarter.bend.line(k[0]), quarter.bend.line(k[-1])]
-            bends = [quarter.bend.along(line, quarter.bend.place(u)) for line in lines for u in (u_low, u_high)]
-            u_low = u_low + np.minimum.reduce(bends)
-            u_high = u_high + np.maximum.reduce(bends)
-        limit = 4.0 * len(sweep.u)
-        first = np.maximum((u_low - sweep.u_first) / sweep.spacing, -limit)
-        last = np.minimum((u_high - sweep.u_first) / sweep.spacing, limit)
-        np.minimum(first, limit, out=first)
-        np.maximum(last, -limit, out=last)
-        return np.floor(first).astype(np.intp) - 2, np.ceil(last).astype(np.intp) + 2
-
-    def _distances(self, k, centre):
-        """Ground distances that enclose each block [m]."""
-        quarter = self.sweep.quarter
-        middle = (k[0] + k[-1]) / 2
-        w = centre / middle
-        distance = middle * quarter.rho_m(w)
-        if not quarter.plane:
-            distance = distance * (1 + quarter.stretch.along(quarter.stretch.line(middle), quarter.stretch.place(w)))
-        half = 0.6 * ((BAND + 2) * quarter.side_m[0] + (k[-1] - k[0] + 1) * quarter.side_m[1])
-        return np.maximum(distance - half, 1e-3), distance + half
-
-
-def _highest(cells):
-    """Highest known elevation of each block, and which blocks have voids."""
-    top = cells.max(axis=0)
-    void = np.isnan(top)
-    if void.any():
-        top = np.fmax.reduce(cells, axis=0)
-        top[np.isnan(top)] = LOW
-    top = top.reshape(-1, BAND).max(axis=1)
-    return top, void.reshape(-1, BAND).any(axis=1)
-
-
-def range_minimum(values, first, last):
-    """Compute the minimum of `values[first:last + 1]` for many ranges, rounded outwards to whole chunks.
-
-    Parameters
-    ----------
-    values : (N,) array
-    first, last : (M,) int arrays
-
-    Returns
-    -------
-    (M,) array
-
-    Notes
-    -----
-    A sparse table over the chunks' minima: each range is covered by two overlapping powers of two.
-    """
-    padded = np.full(-(-len(values) // CHUNK) * CHUNK, CLOSED, values.dtype)
-    padded[: len(values)] = values
-    for _ in range(CHUNK.bit_length() - 1):  # halving is several times faster than a reduction over a short axis
-        padded = np.minimum(padded[::2], padded[1::2])
-    tables = [padded]
-    first, last = first // CHUNK, last // CHUNK
-    level = np.frexp((last - first + 1).astype(float))[1] - 1
-    for step in range(int(level.max(initial=0))):
-        table = tables[-1]
-        tables.append(np.minimum(table, np.append(table[1 << step :], np.full(min(1 << step, len(table)), CLOSED))))
-    stack = np.array(tables)
-    return np.minimum(stack[level, first], stack[level, last - (1 << level) + 1])
+def transposed(values):
+    """Transpose lines into columns, in pieces that stay in the processor's cache."""
+    turned = np.empty(values.shape[::-1], values.dtype)
+    for first in range(0, len(turned), PIECE):
+        turned[first : first + PIECE] = values[:, first : first + PIECE].T
+    return turned

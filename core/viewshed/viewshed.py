@@ -7,6 +7,7 @@ See `core.viewshed.sweep` for the method and `docs/performance.md` for the alter
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from threading import Lock
 
 import numpy as np
@@ -17,7 +18,7 @@ from ..base.progress import SILENT
 from ..base.terrain import Window, eye_elevation_m
 from ..base.threads import side_by_side
 from ..base.viewed import VISIBLE, ArraySink, Viewshed
-from .geometry import quarters
+from .geometry import quarters, tabulated
 from .sector import FullCircle, PhotoFrame, Wedge
 from .sinks import PackedSink
 from .slabs import OneAtATime, SweptGround
@@ -38,7 +39,7 @@ KEPT_BYTES = 30 * 2**20
 """Memory of arrays up to this size is reused. Linux's allocator returns the memory of large arrays to the system until
 an even larger one has been freed, and fetching it again, page by page, takes as long as a tenth of a sweep."""
 
-LEAST_CELLS = 1_000_000
+LEAST_CELLS = 100_000_000
 """Windows of fewer cells are swept in one thread: threads would cost more than they save."""
 
 FRAME_MARGIN = 1.6
@@ -134,17 +135,14 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     views = quarters(frame, k_max, sector.touches)
     views.sort(key=lambda quarter: -k_max[quarter.by_rows, quarter.sign])  # so that the largest does not come last
     shared, lock = OneAtATime(terrain), Lock()
-    sweeps = [
-        QuarterSweep(
-            SweptGround(shared, quarter, window, k_max[quarter.by_rows, quarter.sign]),
-            sector,
-            sweep_options,
-            taken,
-            lock,
-        )
-        for quarter in views
-    ]
-    side_by_side([sweep.run for sweep in sweeps], progress, 1 if window.rows * window.cols < LEAST_CELLS else 0)
+
+    def sweep(quarter, progress):
+        farthest = k_max[quarter.by_rows, quarter.sign]
+        ground = SweptGround(shared, tabulated(frame, quarter, farthest), window, farthest)
+        QuarterSweep(ground, sector, sweep_options, taken, lock).run(progress)
+
+    threads = 1 if window.rows * window.cols < LEAST_CELLS else 0
+    side_by_side([partial(sweep, quarter) for quarter in views], progress, threads)
     mark_observer(taken, frame, terrain.shape, sector, options)
     return Viewshed(window, taken.values, frame, eye_m, options, sector)
 

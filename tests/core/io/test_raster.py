@@ -7,6 +7,7 @@ import pytest
 from osgeo import gdal
 from rasters import make_tif, whole
 from skyline_viewshed.core.base.terrain import Window
+from skyline_viewshed.core.io import raster
 from skyline_viewshed.core.io.raster import open_dem
 
 
@@ -157,3 +158,19 @@ def test_named_summits_are_where_they_should_be(shared_data):
     aconcagua = open_dem(shared_data / "dem/S33W071.tif")
     col, row = aconcagua.pixel_of(-70.0109, -32.6532)
     assert aconcagua.read(Window(int(row) - 5, int(col) - 5, 11, 11)).max() > 6850
+
+
+@pytest.mark.parametrize("cols", [7, 1500])
+@pytest.mark.parametrize("odd", [np.nan, -np.nan, np.inf, -np.inf, -5.0, -0.0, 4000.0])
+def test_the_quick_range_of_a_strip_holds_all_values_or_is_not_given(cols, odd):
+    strip = np.random.default_rng(1).uniform(0, 3000, (9, cols)).astype(np.float32)
+    for cells in (strip, strip[::-1, 1:]):
+        quick, exact = raster._ranges(cells)
+        assert quick == (0.0, cells.max())
+        assert exact == (cells.min(), cells.max())
+    strip[3, 4] = odd
+    for value in (1.0, -0.0):
+        strip[5, 6] = value
+        *quick, exact = raster._ranges(strip)
+        assert np.array_equal(exact, (strip.min(), strip.max()), equal_nan=True)
+        assert quick == ([(0.0, 4000.0)] if odd == 4000.0 and value > 0 else [])

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base.errors import UnusableDemError
 from skyline_viewshed.core.base.frame import tabulate_frame
-from skyline_viewshed.core.viewshed.geometry import held_places, quarters
+from skyline_viewshed.core.viewshed.geometry import quarters, tabulated
 from skyline_viewshed.core.viewshed.sector import Wedge
 
 RADIUS_M = 20_000.0
@@ -25,8 +25,9 @@ def bent(strength=1.0):
     )  # fmt: skip
 
 
-def all_quarters(frame, k_max=600.0):
-    return quarters(frame, {(rows, sign): k_max for rows in (True, False) for sign in (-1, 1)})
+def all_quarters(frame, k_max=600.0, touches=None):
+    far = {(rows, sign): k_max for rows in (True, False) for sign in (-1, 1)}
+    return [tabulated(frame, quarter, k_max) for quarter in quarters(frame, far, touches)]
 
 
 @pytest.mark.parametrize("frame", [plane(), plane(33.0), plane(0.0, (10.0, 25.0)), bent()])
@@ -73,6 +74,14 @@ def test_cells_and_rays_agree_on_who_meets_whom():
             assert back == pytest.approx(w, abs=2e-4)
 
 
+def test_the_rays_reach_the_cells_where_two_quarters_meet():
+    for quarter in all_quarters(bent()):
+        for w in (-quarter.w_limit, quarter.w_limit):
+            place = quarter.bend.place(np.array([w]))
+            u = [w + float(quarter.bend.along(quarter.bend.line(k), place)[0]) for k in (30.0, 300.0, 600.0)]
+            assert quarter.u_min <= min(u) and max(u) <= quarter.u_max
+
+
 def test_a_grid_that_folds_sight_lines_is_refused_with_a_remedy():
     with pytest.raises(UnusableDemError, match="UTM"):
         all_quarters(bent(60.0))
@@ -80,22 +89,12 @@ def test_a_grid_that_folds_sight_lines_is_refused_with_a_remedy():
 
 @pytest.mark.parametrize("heading_deg, width_deg, count", [(2.0, 40.0, 1), (45.0, 20.0, 2), (200.0, 200.0, 3)])
 def test_quarters_outside_the_sector_are_left_out(heading_deg, width_deg, count):
-    frame, k_max = bent(), {(rows, sign): 300.0 for rows in (True, False) for sign in (-1, 1)}
-    some = quarters(frame, k_max, Wedge(heading_deg, width_deg).touches)
+    frame = bent()
+    some = all_quarters(frame, 300.0, Wedge(heading_deg, width_deg).touches)
     assert len(some) == count
-    whole = {(quarter.by_rows, quarter.sign): quarter for quarter in quarters(frame, k_max)}
+    whole = {(quarter.by_rows, quarter.sign): quarter for quarter in all_quarters(frame, 300.0)}
     for quarter in some:
         assert np.array_equal(quarter.bend.values, whole.pop((quarter.by_rows, quarter.sign)).bend.values)
     for quarter in whole.values():  # none of its rays runs in the sector
         azimuth = quarter.azimuth_deg(np.linspace(quarter.u_min, quarter.u_max, 500))
         assert not Wedge(heading_deg, width_deg).accepts(azimuth, None, None).any()
-
-
-@pytest.mark.parametrize("first, last", [(0, 40), (5, 40), (-3, 60), (0, 3e9)])
-@pytest.mark.parametrize("stretch", [1.0, 1e4, 1e9])
-def test_places_are_held_where_one_of_them_lies_outside(first, last, stretch):
-    whole = np.floor(np.linspace(0.2, 35.0, 50) * np.array([[1.0], [stretch]])).astype(np.float32)
-    index, held = held_places(whole, first, int(last))
-    assert np.array_equal(index, np.clip(whole.astype(np.int64) + first, 0, int(last)))
-    assert held or np.array_equal(index, whole.astype(np.int64) + first)
-    assert index.dtype == np.intp

@@ -8,16 +8,7 @@ from reference.landscapes import fractal
 from reference.views import look, overlap
 from skyline_viewshed.core.viewshed import sweep
 from skyline_viewshed.core.viewshed.sector import FullCircle, Wedge
-from skyline_viewshed.core.viewshed.slabs import BAND
-from skyline_viewshed.core.viewshed.sweep import EDGE, INSIDE, OUTSIDE, QuarterSweep
-
-
-@pytest.mark.parametrize("lines", [np.arange(5, 70), np.arange(63, -1, -1), np.arange(3), np.arange(BAND, 2 * BAND)])
-def test_bands_hold_every_line_once_and_cross_no_boundary(lines):
-    bands = [lines[part] for part in QuarterSweep._bands(lines)]
-    assert np.array_equal(np.concatenate(bands), lines)
-    assert all(len(set(band // BAND)) == 1 for band in bands)
-    assert len(bands) == len(set(lines // BAND))
+from skyline_viewshed.core.viewshed.sweep import EDGE, INSIDE, OUTSIDE
 
 
 def test_cells_between_rays_are_inside_outside_or_asked_one_by_one():

@@ -12,7 +12,7 @@ from skyline_viewshed.core.base import threads
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame, project
 from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError, UnusableDemError
 from skyline_viewshed.core.base.frame import tabulate_frame
-from skyline_viewshed.core.base.terrain import Observer, Terrain, Window
+from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Terrain, Window
 from skyline_viewshed.core.base.viewed import ArraySink, Sink
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
 from skyline_viewshed.core.viewshed import viewshed as viewsheds
@@ -282,12 +282,26 @@ def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
     assert set(np.unique(whole.values)) == {0, 1, UNKNOWN}
 
 
-def test_dropping_hidden_blocks_changes_nothing(monkeypatch):
-    from skyline_viewshed.core.viewshed import slabs
+class Bent(ArrayTerrain):
+    """Cells on a grid whose lines bend and whose scale drifts, as those of a geographic CRS do."""
+
+    def frame(self, longitude_deg, latitude_deg, radius_m):
+        col, row = self.pixel_of(longitude_deg, latitude_deg)
+
+        def to_pixel(east, north):
+            return col + (east + 1e-6 * north**2) / self.cell_m, row - north * (1 + 1e-6 * east) / self.cell_m
+
+        return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
+
+
+@pytest.mark.parametrize("grid", [ArrayTerrain, Bent])
+def test_dropping_hidden_blocks_changes_nothing(monkeypatch, grid):
+    from skyline_viewshed.core.viewshed import blocks
 
     terrain, observer = stand(fractal(400, seed=14), 30.0, 210.3, 180.8, 5.0)
+    terrain = grid(terrain.elevation_m, 30.0)
     quick = viewshed(terrain, observer).values
-    monkeypatch.setattr(slabs, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
+    monkeypatch.setattr(blocks, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
     assert np.array_equal(viewshed(terrain, observer).values, quick)
 
 
@@ -315,10 +329,12 @@ def test_the_type_of_the_elevations_does_not_matter(dtype):
 @pytest.mark.parametrize(
     "sector", [FullCircle(), Wedge(340.0, 130.0), PhotoFrame(Camera(900, 600, 700.0), Pose(40, 2, 1))]
 )
-def test_the_result_is_the_same_to_the_last_bit_for_any_number_of_threads(monkeypatch, kind, sector):
+@pytest.mark.parametrize("grid", [ArrayTerrain, Bent])
+def test_the_result_is_the_same_to_the_last_bit_for_any_number_of_threads(monkeypatch, grid, kind, sector):
     ground = fractal(301, seed=2)
     ground[40:60, 150:170] = np.nan
     terrain, observer = stand(ground, 30.0, 150.3, 120.7, 10.0)
+    terrain = grid(terrain.elevation_m, 30.0)
     monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
     results = []
     for count in (1, 2, 3, 4):
