@@ -24,6 +24,8 @@ class Squares:
 
     def work(self, task, progress):
         """Square a number or obey a word."""
+        if not isinstance(task, str):
+            return self.scale * np.square(task)
         if task == "die":
             os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
         if task == "raise":
@@ -43,7 +45,7 @@ class Squares:
         if task == "pid":
             time.sleep(0.05)
             return os.getpid()
-        return self.scale * np.square(task)
+        return None
 
 
 @dataclass(frozen=True)

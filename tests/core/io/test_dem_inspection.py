@@ -66,7 +66,7 @@ def test_eight_bits_are_refused_unless_a_unit_is_chosen_or_recorded(tmp_path, hi
     refused(path, "only 8 bits per cell, like a hillshade.*DEM_UNIT")
     assert np.array_equal(whole(open_dem(path, reading=DemReading(unit=12.0))), bits * np.float32(12))
     assert whole(open_dem(make_tif(tmp_path / "b.tif", bits, unit="m"))).max() == bits.max()
-    assert whole(open_dem(make_tif(tmp_path / "c.tif", bits, scale=12.0, offset=0.0))).max() == bits.max() * 12
+    assert whole(open_dem(make_tif(tmp_path / "c.tif", bits, scale=12.0, offset=0.0))).max() == int(bits.max()) * 12
 
 
 @pytest.mark.parametrize("mode", ["hillshade", "slope", "aspect"])
