@@ -28,21 +28,23 @@ from skyline_viewshed.core.planning import PredictOptions
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from orientability_figure import drawing  # noqa: E402
 
-FEATURES = ("gap", "log_relief")
+FEATURES = ("log_gap",)
 RIDGE = 3.0
 RASTERS = (".tif", ".tiff", ".hgt", ".vrt", ".asc", ".img")
-KINDS = ("photos", "views", "simulated")
+FILES = ("photos", "views", "simulated")
+KINDS = (*FILES, "anywhere")
+"""Simulated views of a ridge, and simulated views from any place, are told apart."""
 
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", type=Path, help="folder of folders with truth.csv and dem/")
-    for kind in KINDS:
+    for kind in FILES:
         parser.add_argument(f"--{kind}", type=Path, nargs="*", default=[])
     parser.add_argument("--write", action="store_true", help="write the table")
     parser.add_argument("--figure", type=Path, help="draw the ROC curves and the calibration as SVG")
     given = parser.parse_args(arguments)
-    cases = [case for kind in KINDS for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
+    cases = [case for kind in FILES for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
     cases = list(described(cases))
     values = np.array([case["values"] for case in cases])
     twins, right = (np.array([case[name] for case in cases]) for name in ("twins", "right"))
@@ -52,11 +54,16 @@ def main(arguments=None):
         inside = region == left_out
         held[inside] = predict(fit(values[~inside], twins[~inside], right[~inside]), values[inside], twins[inside])
     parts = {name: (kind == name) | (name == "all") for name in (*KINDS, "all")}
-    parts["photos and views"] = kind != "simulated"
+    parts["photos and views"] = (kind == "photos") | (kind == "views")
+    parts["all simulated"] = ~parts["photos and views"]
     for name, part in parts.items():
         report(name, held[part], right[part])
+    if len(FEATURES) == 1:
+        # One quantity sorts the pictures the same with any weights, so that its order owes nothing to a fit.
+        areas = ", ".join(f"{name} {auc(values[part, 0], right[part]):.2f}" for name, part in parts.items())
+        print(f"AUC of {FEATURES[0]} itself: {areas}")
     if given.figure:
-        names = "photos and views", "simulated", "all"
+        names = "photos and views", "all simulated", "all"
         groups = [(name, held[parts[name]], right[parts[name]]) for name in names if parts[name].any()]
         given.figure.write_text(drawing(groups, bands_of(held, right)), encoding="utf-8")
     model = fit(values, twins, right)
@@ -78,6 +85,7 @@ def read_cases(kind, path, data):
             dem = Path(row["dem"])
             if not dem.exists():
                 sys.exit(f"{path}: {dem} does not exist; make the scenes anew with benchmarks/bench_simulated.py")
+            case["kind"] = "anywhere" if row["group"] == "anywhere" else kind
             place = row["true_longitude_deg"], row["true_latitude_deg"]
             case.update(dem=dem, place=place, heading_deg=row["heading_deg"], region=simulated_region(dem, data))
         else:
