@@ -4,7 +4,7 @@ DATA is the folder that `benchmarks/bench_accuracy.py` and `benchmarks/bench_vie
 these and `benchmarks/bench_simulated.py` wrote. Each photograph's horizon is computed at its true place and described
 in its true direction, from the DEM alone; its answer is right within 3 degrees. The weights cannot be negative, since
 each quantity is one in which more is easier, and small data would otherwise turn some around. The regression is checked
-on photographs and views with each region (with its simulated scenes) left out in turn. `--write` writes
+on all pictures with each region (photographs, views and simulated scenes) left out in turn. `--write` writes
 `core/locate/orientability.json`.
 """
 
@@ -56,11 +56,14 @@ def main(arguments=None):
     parts = {name: (kind == name) | (name == "all") for name in (*KINDS, "all")}
     parts["photos and views"] = (kind == "photos") | (kind == "views")
     parts["all simulated"] = ~parts["photos and views"]
+    clear = np.array([case.get("clear", False) for case in cases])
+    parts["simulated, no clouds and no foreground"] = parts["all simulated"] & clear
+    parts["simulated, the others"] = parts["all simulated"] & ~clear
     for name, part in parts.items():
         report(name, held[part], right[part])
     if len(FEATURES) == 1:
         # One quantity sorts the pictures the same with any weights, so that its order owes nothing to a fit.
-        areas = ", ".join(f"{name} {auc(values[part, 0], right[part]):.2f}" for name, part in parts.items())
+        areas = ", ".join(f"{name} {auc(values[part, 0], right[part]):.3f}" for name, part in parts.items())
         print(f"AUC of {FEATURES[0]} itself: {areas}")
     if given.figure:
         names = "photos and views", "all simulated", "all"
@@ -85,6 +88,7 @@ def read_cases(kind, path, data):
             dem = Path(row["dem"])
             if not dem.exists():
                 sys.exit(f"{path}: {dem} does not exist; make the scenes anew with benchmarks/bench_simulated.py")
+            case["clear"] = row["clouds"] == row["foreground"] == "none"
             case["kind"] = "anywhere" if row["group"] == "anywhere" else kind
             place = row["true_longitude_deg"], row["true_latitude_deg"]
             case.update(dem=dem, place=place, heading_deg=row["heading_deg"], region=simulated_region(dem, data))
@@ -176,7 +180,7 @@ def report(name, chance, right):
     shares = ", ".join(f"{predicted:.2f}/{share:.2f}" for predicted, share, _ in bands)
     error = np.average([abs(predicted - share) for predicted, share, _ in bands], weights=[n for *_, n in bands])
     wrong = int((~right).sum())
-    print(f"{name}: {len(right)}, {wrong} wrong, AUC {auc(chance, right):.2f}, mean error {error:.2f}; {shares}")
+    print(f"{name}: {len(right)}, {wrong} wrong, AUC {auc(chance, right):.3f}, mean error {error:.2f}; {shares}")
 
 
 def table_of(model, counts):
