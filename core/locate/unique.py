@@ -272,8 +272,8 @@ def features_of(traits):
 def probability_of(traits, weights=None):
     """Probability that a photograph is oriented right.
 
-    The regression says whether the terrain differs enough. Directions that hardly differ share what it promises, so that
-    the probability on a horizon of four equal peaks is at most a quarter.
+    The regression says whether the terrain differs enough. Directions that hardly differ share what it promises, so
+    that the probability on a horizon of four equal peaks is at most a quarter.
 
     Parameters
     ----------
