@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
+from PIL import Image
 from skyline_viewshed.core.figures.hillshade import hillshade
-from skyline_viewshed.core.figures.raster import draw_line, draw_words, encode_png, resized
+from skyline_viewshed.core.figures.raster import draw_line, draw_words, resized
 from skyline_viewshed.core.locate.build import build_index
 from skyline_viewshed.core.locate.places import Area, IndexOptions
 from skyline_viewshed.core.locate.unique import UniqueOptions, orientability
@@ -42,7 +42,8 @@ def main():
     gap = np.full((panels[0].shape[0], GAP_PX, 3), 255, np.uint8)
     picture = np.concatenate([panels[0], gap, panels[1]], axis=1)
     picture = np.concatenate([picture, _foot(picture.shape[1])])
-    Path(sys.argv[1]).write_bytes(encode_png(picture))
+    # A palette keeps the file below what a picture of the docs may take.
+    Image.fromarray(picture).quantize(64, dither=Image.Dither.NONE).save(sys.argv[1], optimize=True)
 
 
 def _panel(shade, index, at, shape, hfov_deg):
