@@ -18,9 +18,9 @@ from skyline_viewshed.core.locate.unique import UniqueOptions, orientability
 from skyline_viewshed.demo.mountains import MountainOptions, make_mountains
 
 SEED, SIZE, CELL_M = 7, 360, 90.0
-HALF_CELLS, STRIDE_CELLS = 84, 9
+HALF_CELLS, TALL_CELLS, STRIDE_CELLS = 84, 90, 9
 HFOVS_DEG = (15.0, 60.0)
-PANEL_PX, GAP_PX, FOOT_PX = 440, 20, 58
+PANEL_PX, GAP_PX, FOOT_PX, SHRINK = 440, 20, 58, 0.8
 COLOURS = np.array([[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]], float)
 """Viridis, from probability 0 to 1."""
 INK = (60, 66, 74)
@@ -29,7 +29,7 @@ INK = (60, 66, 74)
 def main():
     terrain = make_mountains(SEED, MountainOptions(size=SIZE, cell_m=CELL_M))
     first, last = SIZE // 2 - HALF_CELLS, SIZE // 2 + HALF_CELLS
-    (west, north), (east, south) = terrain.position_of(first, first), terrain.position_of(last, last)
+    (west, north), (east, south) = terrain.position_of(first, first), terrain.position_of(last, first + TALL_CELLS)
     options = IndexOptions(spacing_m=STRIDE_CELLS * CELL_M, max_distance_m=40_000.0)
     index = build_index(terrain, Area.box(west, south, east, north), options)
     col, row = (np.rint(one).astype(int) for one in terrain.pixel_of(index.longitude_deg, index.latitude_deg))
@@ -42,8 +42,11 @@ def main():
     gap = np.full((panels[0].shape[0], GAP_PX, 3), 255, np.uint8)
     picture = np.concatenate([panels[0], gap, panels[1]], axis=1)
     picture = np.concatenate([picture, _foot(picture.shape[1])])
-    # A palette keeps the file below what a picture of the docs may take.
-    Image.fromarray(picture).quantize(64, dither=Image.Dither.NONE).save(sys.argv[1], optimize=True)
+    # A palette keeps the file small; the default method drops the ends of the scale and the colour of the text.
+    image = Image.fromarray(picture).resize(
+        [int(SHRINK * side) for side in picture.shape[1::-1]], Image.Resampling.LANCZOS
+    )
+    image.quantize(128, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(sys.argv[1], optimize=True)
 
 
 def _panel(shade, index, at, shape, hfov_deg):
