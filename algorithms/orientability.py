@@ -58,9 +58,9 @@ class Orientability(DemAlgorithm):
                 "cameras and repeat photography."
             ),
             tr(
-                "A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The "
-                "probability ranks places and directions only weakly, because most photographs fail on clouds, trees "
-                "and near slopes, which the DEM does not show."
+                "A horizon that repeats itself, a flat one and a narrow field of view are hard to orient, and the "
+                "probability tells them from distinct ones. Where the terrain is distinct, photographs still fail on "
+                "clouds, trees and near slopes, which the DEM does not show."
             ),
         ]
 

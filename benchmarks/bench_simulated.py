@@ -40,10 +40,13 @@ def main(arguments=None):
     parser.add_argument("--levels", nargs="+", choices=LEVELS, default=list(ORDINARY))
     parser.add_argument("--dump", type=Path, help="write photographs and truth here instead of measuring")
     parser.add_argument("--long-side", type=int, default=None, help="pixels; 1024, or 640 with --dump")
+    parser.add_argument(
+        "--dems", type=Path, nargs="+", help="take the scenes from these DEMs instead of the usual ones"
+    )
     parser.add_argument("--work", type=Path, default=Path("build/simulated"), help="folder for procedural DEMs")
     parser.add_argument("--output", type=Path, default=Path("build/simulated.json"))
     given = parser.parse_args(arguments)
-    paths = dem_paths(given.work)
+    paths = [str(path.resolve()) for path in given.dems] if given.dems else dem_paths(given.work)
     if given.dump:
         levels = [level for level in given.levels if level != "perfect"]
         dump(given.dump, given.count, given.seed, paths, levels, given.long_side or 640, given.jobs)

@@ -87,11 +87,12 @@ def find_view(
         try:
             frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, options.range_m * 1.01)
             eye_m = ground_elevation_m(terrain, frame) + options.eye_height_m
+            pose = _look(terrain, frame, eye_m, camera, generator, options)
+            # Beside a void, the finer terrain may have no ground where the coarse one has.
+            if pose is not None and (finer is None or _clear(terrain, finer, observer, camera, pose, options)):
+                return observer, pose
         except ObserverError:
             continue
-        pose = _look(terrain, frame, eye_m, camera, generator, options)
-        if pose is not None and (finer is None or _clear(terrain, finer, observer, camera, pose, options)):
-            return observer, pose
     raise TerrainError(
         Message("No view of a ridge was found in {count} places. Use a DEM with more relief.", count=options.tries)
     )

@@ -1897,8 +1897,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
-        <translation>Ein Horizont, der sich wiederholt, ein flacher Horizont und ein schmaler Bildwinkel sind schwer zu orientieren. Die Wahrscheinlichkeit ordnet Orte und Richtungen nur schwach, weil die meisten Fotos an Wolken, Bäumen und nahen Hängen scheitern, die das DEM nicht zeigt.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient, and the probability tells them from distinct ones. Where the terrain is distinct, photographs still fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Ein Horizont, der sich wiederholt, ein flacher Horizont und ein schmaler Bildwinkel sind schwer zu orientieren; die Wahrscheinlichkeit unterscheidet sie von eindeutigen. Wo das Gelände eindeutig ist, scheitern Fotos immer noch an Wolken, Bäumen und nahen Hängen, die das DEM nicht zeigt.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

@@ -1897,8 +1897,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
-        <translation>Un horizonte que se repite, uno plano y un campo de visión estrecho son difíciles de orientar. La probabilidad ordena los lugares y las direcciones solo débilmente, porque la mayoría de las fotos fallan por nubes, árboles y laderas cercanas, que el DEM no muestra.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient, and the probability tells them from distinct ones. Where the terrain is distinct, photographs still fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Un horizonte que se repite, uno plano y un campo de visión estrecho son difíciles de orientar, y la probabilidad los distingue de los inconfundibles. Donde el terreno es inconfundible, las fotos todavía fallan por nubes, árboles y laderas cercanas, que el DEM no muestra.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

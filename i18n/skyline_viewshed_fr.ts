@@ -1897,8 +1897,8 @@
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>
-        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient. The probability ranks places and directions only weakly, because most photographs fail on clouds, trees and near slopes, which the DEM does not show.</source>
-        <translation>Un horizon qui se répète, un horizon plat et un champ de vision étroit sont difficiles à orienter. La probabilité ne classe que faiblement les lieux et les directions, car la plupart des photos échouent à cause des nuages, des arbres et des pentes proches, que le MNT ne montre pas.</translation>
+        <source>A horizon that repeats itself, a flat one and a narrow field of view are hard to orient, and the probability tells them from distinct ones. Where the terrain is distinct, photographs still fail on clouds, trees and near slopes, which the DEM does not show.</source>
+        <translation>Un horizon qui se répète, un horizon plat et un champ de vision étroit sont difficiles à orienter, et la probabilité les distingue des horizons caractéristiques. Là où le terrain est caractéristique, des photos échouent encore à cause des nuages, des arbres et des pentes proches, que le MNT ne montre pas.</translation>
     </message>
     <message>
         <location filename="../algorithms/orientability.py"/>

@@ -4,7 +4,7 @@ DATA is the folder that `benchmarks/bench_accuracy.py` and `benchmarks/bench_vie
 these and `benchmarks/bench_simulated.py` wrote. Each photograph's horizon is computed at its true place and described
 in its true direction, from the DEM alone; its answer is right within 3 degrees. The weights cannot be negative, since
 each quantity is one in which more is easier, and small data would otherwise turn some around. The regression is checked
-on photographs and views with each region (with its simulated scenes) left out in turn. `--write` writes
+on all pictures with each region (photographs, views and simulated scenes) left out in turn. `--write` writes
 `core/locate/orientability.json`.
 """
 
@@ -28,21 +28,23 @@ from skyline_viewshed.core.planning import PredictOptions
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from orientability_figure import drawing  # noqa: E402
 
-FEATURES = ("gap", "log_relief")
+FEATURES = ("log_gap",)
 RIDGE = 3.0
 RASTERS = (".tif", ".tiff", ".hgt", ".vrt", ".asc", ".img")
-KINDS = ("photos", "views", "simulated")
+FILES = ("photos", "views", "simulated")
+KINDS = (*FILES, "anywhere")
+"""Simulated views of a ridge, and simulated views from any place, are told apart."""
 
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", type=Path, help="folder of folders with truth.csv and dem/")
-    for kind in KINDS:
+    for kind in FILES:
         parser.add_argument(f"--{kind}", type=Path, nargs="*", default=[])
     parser.add_argument("--write", action="store_true", help="write the table")
     parser.add_argument("--figure", type=Path, help="draw the ROC curves and the calibration as SVG")
     given = parser.parse_args(arguments)
-    cases = [case for kind in KINDS for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
+    cases = [case for kind in FILES for path in getattr(given, kind) for case in read_cases(kind, path, given.data)]
     cases = list(described(cases))
     values = np.array([case["values"] for case in cases])
     twins, right = (np.array([case[name] for case in cases]) for name in ("twins", "right"))
@@ -52,11 +54,19 @@ def main(arguments=None):
         inside = region == left_out
         held[inside] = predict(fit(values[~inside], twins[~inside], right[~inside]), values[inside], twins[inside])
     parts = {name: (kind == name) | (name == "all") for name in (*KINDS, "all")}
-    parts["photos and views"] = kind != "simulated"
+    parts["photos and views"] = (kind == "photos") | (kind == "views")
+    parts["all simulated"] = ~parts["photos and views"]
+    clear = np.array([case.get("clear", False) for case in cases])
+    parts["simulated, no clouds and no foreground"] = parts["all simulated"] & clear
+    parts["simulated, the others"] = parts["all simulated"] & ~clear
     for name, part in parts.items():
         report(name, held[part], right[part])
+    if len(FEATURES) == 1:
+        # One quantity sorts the pictures the same with any weights, so that its order owes nothing to a fit.
+        areas = ", ".join(f"{name} {auc(values[part, 0], right[part]):.3f}" for name, part in parts.items())
+        print(f"AUC of {FEATURES[0]} itself: {areas}")
     if given.figure:
-        names = "photos and views", "simulated", "all"
+        names = "photos and views", "all simulated", "all"
         groups = [(name, held[parts[name]], right[parts[name]]) for name in names if parts[name].any()]
         given.figure.write_text(drawing(groups, bands_of(held, right)), encoding="utf-8")
     model = fit(values, twins, right)
@@ -78,6 +88,8 @@ def read_cases(kind, path, data):
             dem = Path(row["dem"])
             if not dem.exists():
                 sys.exit(f"{path}: {dem} does not exist; make the scenes anew with benchmarks/bench_simulated.py")
+            case["clear"] = row["clouds"] == row["foreground"] == "none"
+            case["kind"] = "anywhere" if row["group"] == "anywhere" else kind
             place = row["true_longitude_deg"], row["true_latitude_deg"]
             case.update(dem=dem, place=place, heading_deg=row["heading_deg"], region=simulated_region(dem, data))
         else:
@@ -168,7 +180,7 @@ def report(name, chance, right):
     shares = ", ".join(f"{predicted:.2f}/{share:.2f}" for predicted, share, _ in bands)
     error = np.average([abs(predicted - share) for predicted, share, _ in bands], weights=[n for *_, n in bands])
     wrong = int((~right).sum())
-    print(f"{name}: {len(right)}, {wrong} wrong, AUC {auc(chance, right):.2f}, mean error {error:.2f}; {shares}")
+    print(f"{name}: {len(right)}, {wrong} wrong, AUC {auc(chance, right):.3f}, mean error {error:.2f}; {shares}")
 
 
 def table_of(model, counts):

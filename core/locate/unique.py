@@ -1,10 +1,11 @@
 """Predict from the DEM alone how well a photograph from a place could be oriented, by direction and field of view.
 
 A stretch of the horizon as wide as the field of view is compared with the horizon in every other direction, after the
-best shift and tilt, since pitch and roll are not known. If some other stretch is alike within the tolerance that the
-errors of picture, DEM and position ask for, a matcher cannot tell the two apart. A regression, fitted by
-`tools/fit_orientability.py` on photographs and simulated scenes, turns this and the relief in the frame into the
-probability that a photograph is oriented right.
+best shift and the best tilt that a camera's roll allows. The misfit is counted in tolerances that hold what pictures do
+to a skyline (clouds, trees, snow) and the errors of DEM and position, which grow as the terrain comes nearer. The less
+the most similar of the other directions differ, the more readily a matcher takes one of them. A regression, fitted by
+`tools/fit_orientability.py` on photographs and simulated scenes, turns this into the probability that a photograph is
+oriented right.
 """
 
 from __future__ import annotations
@@ -29,6 +30,12 @@ PICTURE_WIDTH_PX = 512
 LARGEST_STANDARD = 3.0
 """Quantities farther than this from their mean count as this far [standard deviations]."""
 
+LEAST_SAMPLES = 20
+"""Azimuths at which a frame is compared, if the horizon is that fine; more did not sort better."""
+
+SMALLEST_GAP = 0.03
+"""Misfits below this count as this large [tolerances]."""
+
 LEAST_KNOWN = 0.8
 """Smallest share of the frame in which the horizon must be known."""
 
@@ -41,33 +48,45 @@ class UniqueOptions:
     ----------
     step_deg : float
         Step of the directions [degrees].
+    likeness_deg : float
+        Difference of two horizons that a picture may hide (clouds, trees, snow) [degrees].
+    likeness_cells : float
+        The same for what the DEM may hide, in cells of the DEM.
+    largest_tilt_deg : float
+        Tilt of one stretch of the horizon against another that the roll of a camera can explain [degrees].
+    alike_share : float
+        Share of the other directions, the most similar ones, that decide.
     picture_px : float
-        Error of the skyline in a picture `PICTURE_WIDTH_PX` wide, and of the lens [pixels].
+        Error of the skyline in a picture `PICTURE_WIDTH_PX` wide, and of the lens, for the expected error [pixels].
     terrain_error_cells : float
-        Error of the horizon's height in cells of the DEM.
+        Error of the horizon's height in cells of the DEM, for the expected error.
     position_error_m : float
         Standard deviation of the position [m].
     ground_slope : float
         Height by which a metre of position raises or lowers near terrain [1].
     cap : float
-        Largest misfit of one azimuth that counts [standard deviations].
+        Largest misfit of one azimuth that counts [tolerances].
     effective_columns : float
         Number of independent groups of columns in a picture, for the expected error.
     twin_columns : float
         The same for twins: so large that only directions that hardly differ share a probability. The regression judges
-        the others: of photographs whose other directions fit within a tenth of the tolerance, two thirds are right.
+        the others.
     floor_deg : float
         Error of a heading that remains in any case [degrees].
     """
 
     step_deg: float = 1.0
+    likeness_deg: float = 0.4
+    likeness_cells: float = 0.1
+    largest_tilt_deg: float = 8.0
+    alike_share: float = 0.03
     picture_px: float = 2.0
     terrain_error_cells: float = 0.25
     position_error_m: float = 8.0
     ground_slope: float = 0.5
-    cap: float = 3.0
+    cap: float = 2.0
     effective_columns: float = 15.0
-    twin_columns: float = 1000.0
+    twin_columns: float = 4000.0
     floor_deg: float = 0.1
 
 
@@ -84,7 +103,7 @@ class Traits:
     relief_deg : (H,) array
         Spread of the horizon in the frame about a straight line [degrees].
     gap : (H,) array
-        Misfit of the best other direction, root mean square with a cap [tolerances].
+        Misfit that the most similar of the other directions stay below, root mean square with a cap [tolerances].
     twins : (H,) array
         Number of other directions that fit as well; one that fits less well counts less.
     error_deg : (H,) array
@@ -182,59 +201,79 @@ def traits_of(elevation_deg, distance_m, hfov_deg, cell_m, options=UniqueOptions
     Traits
     """
     count = int(round(360 / options.step_deg))
-    at = np.rint(np.arange(count) * len(elevation_deg) / count).astype(int) % len(elevation_deg)
+    # A narrow frame would otherwise be compared at a handful of azimuths.
+    finer = int(np.clip(np.ceil(options.step_deg * LEAST_SAMPLES / hfov_deg), 1, max(len(elevation_deg) // count, 1)))
+    fine, step_deg = count * finer, options.step_deg / finer
+    at = np.rint(np.arange(fine) * len(elevation_deg) / fine).astype(int) % len(elevation_deg)
     angle, distance = np.asarray(elevation_deg, float)[at], np.asarray(distance_m, float)[at]
     known = np.isfinite(angle) & np.isfinite(distance)
     distance = np.where(known, np.maximum(distance, cell_m), 1e5)
     angle = np.where(known, angle, 0.0)
-    lift_m = np.hypot(options.terrain_error_cells * cell_m, options.ground_slope * options.position_error_m)
-    picture_deg = hfov_deg * options.picture_px / PICTURE_WIDTH_PX
-    sigma = np.hypot(picture_deg, np.degrees(lift_m / distance))
-    reach = max(int(round(hfov_deg / 2 / options.step_deg)), 2)
+    reach = max(int(round(hfov_deg / 2 / step_deg)), 2)
     offset = np.arange(-reach, reach + 1)
-    around = (np.arange(count)[:, None] + offset) % count
-    windows, weights = angle[around], np.where(known[around], 1 / sigma[around], 0.0)
-    slope = (np.roll(angle, -1) - np.roll(angle, 1)) / (2 * options.step_deg)
+    around = (np.arange(fine)[:, None] + offset) % fine
+    windows = angle[around]
+    step_m = options.ground_slope * options.position_error_m
+    hidden_deg = np.degrees(np.hypot(options.likeness_cells * cell_m, step_m) / distance)
+    alike = np.where(known, 1 / np.hypot(options.likeness_deg, hidden_deg), 0.0)
+    wrong_deg = np.degrees(np.hypot(options.terrain_error_cells * cell_m, step_m) / distance)
+    exact = np.where(known, 1 / np.hypot(hfov_deg * options.picture_px / PICTURE_WIDTH_PX, wrong_deg), 0.0)
+    slope = (np.roll(angle, -1) - np.roll(angle, 1)) / (2 * step_deg)
     found = {name: np.full(count, np.nan) for name in ("relief_deg", "gap", "twins", "error_deg")}
-    other_deg = np.abs((np.arange(count) * options.step_deg + 180) % 360 - 180)
-    share = known[around].mean(axis=1)
+    other_deg = np.abs((np.arange(fine) * step_deg + 180) % 360 - 180)
+    share = known[around[::finer]].mean(axis=1)
     wanted = np.arange(count) if only is None else np.asarray(only)
-    for first in wanted[share[wanted] > LEAST_KNOWN]:
-        weight = weights[first]
-        basis = np.linalg.qr(np.column_stack([weight, weight * offset]))[0]
-        misfit = weight * (windows - windows[first])
-        misfit -= (misfit @ basis) @ basis.T
-        mean = np.minimum(np.square(misfit), options.cap**2).mean(axis=1)
+    for number in wanted[share[wanted] > LEAST_KNOWN]:
+        first = number * finer
+        seen = around[first]
+        mean = _misfits(windows, windows[first], alike[seen], offset * step_deg, options)
         # Neighbouring directions fit together; only the best of each group is an answer of its own.
         peak = (mean <= np.roll(mean, 1)) & (mean <= np.roll(mean, -1))
         away = np.roll(other_deg, first) > SAME_DEG
-        found["twins"][first] = np.exp(-0.5 * options.twin_columns * mean[peak & away]).sum()
-        found["gap"][first] = np.sqrt(mean[away].min())
-        steep = weight * slope[around[first]]
-        steep = steep - basis @ (basis.T @ steep)
-        information = options.effective_columns * np.mean(np.square(steep))
-        far_m = float(np.median(distance[around[first]]))
-        shift_deg = np.degrees(np.hypot(options.position_error_m, options.terrain_error_cells * cell_m) / far_m)
-        error_deg = np.sqrt(1 / max(information, 1e-6) + shift_deg**2 + options.floor_deg**2)
-        found["error_deg"][first] = min(error_deg, LARGEST_ERROR_DEG)
+        found["twins"][number] = np.exp(-0.5 * options.twin_columns * mean[peak & away]).sum()
+        last = int(options.alike_share * away.sum())
+        found["gap"][number] = np.sqrt(np.partition(mean[away], last)[last])
+        found["error_deg"][number] = _error_deg(exact[seen], slope[seen], distance[seen], cell_m, options)
         line = np.polyval(np.polyfit(offset, windows[first], 1), offset)
-        found["relief_deg"][first] = np.std(windows[first] - line)
+        found["relief_deg"][number] = np.std(windows[first] - line)
     return Traits(np.arange(count) * options.step_deg, known_share=share, **found)
+
+
+def _misfits(windows, own, weight, offset_deg, options):
+    """Mean square misfit of every direction after the best shift and the best tilt that a roll allows, with a cap."""
+    square = np.square(weight)
+    share = square / square.sum()
+    centred = offset_deg - share @ offset_deg
+    misfit = windows - own
+    misfit = misfit - (misfit @ share)[:, None]
+    steepest = np.tan(np.radians(options.largest_tilt_deg))
+    tilt = np.clip(misfit @ (share * centred) / (share @ np.square(centred)), -steepest, steepest)
+    misfit = weight * (misfit - tilt[:, None] * centred)
+    return np.minimum(np.square(misfit), options.cap**2).mean(axis=1)
+
+
+def _error_deg(weight, slope, distance_m, cell_m, options):
+    """Expected error of a heading that is right, from the slope of the horizon and the distance of its terrain."""
+    offset = np.arange(len(weight)) - len(weight) // 2
+    basis = np.linalg.qr(np.column_stack([weight, weight * offset]))[0]
+    steep = weight * slope
+    steep = steep - basis @ (basis.T @ steep)
+    information = options.effective_columns * np.mean(np.square(steep))
+    shift_m = np.hypot(options.position_error_m, options.terrain_error_cells * cell_m)
+    shift_deg = np.degrees(shift_m / float(np.median(distance_m)))
+    return min(np.sqrt(1 / max(information, 1e-6) + shift_deg**2 + options.floor_deg**2), LARGEST_ERROR_DEG)
 
 
 def features_of(traits):
     """Return the quantities of the regression, each (H,), in which more is easier; the keys are those of the table."""
-    return {
-        "gap": traits.gap,
-        "log_relief": np.log(np.maximum(traits.relief_deg, 0.02)),
-    }
+    return {"log_gap": np.log(np.maximum(traits.gap, SMALLEST_GAP))}
 
 
 def probability_of(traits, weights=None):
     """Probability that a photograph is oriented right.
 
-    The regression says whether the picture shows enough. Directions that fit as well share what it promises, so that
-    the probability on a horizon of four equal peaks is at most a quarter.
+    The regression says whether the terrain differs enough. Directions that hardly differ share what it promises, so
+    that the probability on a horizon of four equal peaks is at most a quarter.
 
     Parameters
     ----------

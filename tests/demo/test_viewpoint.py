@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scenes import small_mountains
@@ -31,3 +33,15 @@ def test_a_plain_offers_no_view():
     plain = ArrayTerrain(np.zeros((64, 64), np.float32), 200.0)
     with pytest.raises(TerrainError, match="relief"):
         find_view(plain, CAMERA, np.random.Generator(np.random.PCG64(1)), plain.position_of, ViewpointOptions(tries=3))
+
+
+def test_a_place_without_ground_in_the_finer_terrain_is_passed_over():
+    terrain = small_mountains()
+    half = terrain.elevation_m.copy()
+    half[:, : half.shape[1] // 2] = np.nan
+    finer = replace(terrain, elevation_m=half)
+    middle = terrain.position_of(terrain.shape[1] / 2, 0)[0]
+    for seed in range(4):
+        generator = np.random.Generator(np.random.PCG64(seed))
+        observer, _ = find_view(terrain, CAMERA, generator, terrain.position_of, finer=finer)
+        assert observer.longitude_deg > middle
