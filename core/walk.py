@@ -48,6 +48,23 @@ class _View:
     prior: CameraPrior
     search: SearchOptions
 
+    # parameters: the state of a fit
+    def climb(self, curves, trials, error_m, scale, stride):
+        """Fit the pose of each trial before its own horizon, as `best_over_scales` asks for it.
+
+        Parameters
+        ----------
+        curves : CurveSet
+            One horizon for each trial.
+        trials : (K, 5) array
+        error_m : float
+            Standard deviation of the places [m].
+        scale, stride : float, int
+            See `core.match.refine.refine`.
+        """
+        objective = Objective(self.stack, self.prior, curves, RefineOptions(), (), error_m)
+        return refine(objective, trials, scale, stride)
+
 
 class SkylineFit:
     """How well the skylines of photographs fit the horizon of any place.
@@ -125,10 +142,8 @@ class SkylineFit:
         starts = np.concatenate([each.candidates for each in found])
         starts = np.column_stack([starts, np.zeros((len(starts), 2))])
         owner = np.concatenate([np.full(len(each.candidates), eye) for eye, each in enumerate(found)])
-        objective_of = _Climb(view)
-        _, score = best_over_scales(
-            objective_of, curves_of([horizons[eye] for eye in owner]), starts, error_m, (CLOCK_SCALES, CLOCK_STRIDE)
-        )
+        curves = curves_of([horizons[eye] for eye in owner])
+        _, score = best_over_scales(view, curves, starts, error_m, (CLOCK_SCALES, CLOCK_STRIDE))
         best = np.full(len(horizons), -np.inf)
         np.maximum.at(best, owner, score)
         return table()["temperature"] * best
@@ -154,18 +169,6 @@ class SkylineFit:
         recorded = None if place.elevation_m is None else place.elevation_m - eye_m
         others = [replace(observer, eye_elevation_m=eye_m + up) for up, _ in eye_offsets_m(assumed.cell_m, recorded)]
         return (assumed, *(horizon_profile(self.dem, other, CLOCK_HORIZON) for other in others))
-
-
-class _Climb:
-    """The fit of one picture at many places, as `best_over_scales` takes it."""
-
-    def __init__(self, view):
-        self.view = view
-
-    # parameters: the state of a fit
-    def climb(self, curves, trials, error_m, scale, stride):
-        objective = Objective(self.view.stack, self.view.prior, curves, RefineOptions(), (), error_m)
-        return refine(objective, trials, scale, stride)
 
 
 # parameters: the photographs and what is known of them, which callers have as lists
