@@ -196,9 +196,10 @@ def clock_from_skylines(
     ------
     Cancelled
     """
-    fit, times = SkylineFit(dem), []
-    # Reading the skyline takes longest, so only as many photographs as the search takes are read, spread over the walk;
-    # where one shows no skyline, its neighbour within a minute may.
+    fit = SkylineFit(dem)
+    times: list = []
+    # Only as many photographs are read as the search takes, spread over the walk; where one shows no skyline, its
+    # neighbour within a minute may.
     order = spread_over_walk(times_s, options)
     order += [index for index in range(len(times_s)) if index not in set(order)]
     for count, index in enumerate(order):

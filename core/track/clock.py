@@ -200,12 +200,13 @@ def _probability(search, best_s, options):
     Each answer counts by its best offset, because those tried lie closer around some answers than around others. An
     answer that only the coarse fit has seen counts by that fit, against what it gives the best one.
     """
-    coarse, fine = peaks = ({}, {})
-    for kind in (COARSE, FINE):
+    coarse: dict = {}
+    fine: dict = {}
+    for kind, peaks in ((COARSE, coarse), (FINE, fine)):
         total = search.total(kind)
         for offset, value in zip(search.offsets(kind)[np.isfinite(total)], total[np.isfinite(total)]):
             answer = int(np.floor((offset - best_s) / (2 * options.same_s) + 0.5))
-            peaks[kind][answer] = max(peaks[kind].get(answer, -np.inf), value)
+            peaks[answer] = max(peaks.get(answer, -np.inf), value)
     others = [value - fine[0] for answer, value in fine.items() if answer]
     others += [value - coarse.get(0, -np.inf) for answer, value in coarse.items() if answer not in fine]
     return float(1 / (1 + np.exp(np.array(others)).sum()))

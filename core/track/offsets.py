@@ -63,8 +63,8 @@ class OffsetSearch:
 
     def values(self, kind):
         """Values of one kind of fit, (offsets, photographs); -inf where there is no place or no horizon."""
-        values = [self._rows[kind][offset] for offset in self.offsets(kind)]
-        values = np.array(values, float).reshape(-1, len(self.photos))
+        rows = [self._rows[kind][offset] for offset in self.offsets(kind)]
+        values = np.array(rows, float).reshape(-1, len(self.photos))
         return np.where(np.isfinite(values), values, -np.inf)
 
     def shares(self, kind):
@@ -91,7 +91,8 @@ class OffsetSearch:
         steps_s : (float, float)
             Step of the search so far, and of the next [s].
         """
-        offsets, total, found = self.offsets(kind), self.total(kind), []
+        offsets, total = self.offsets(kind), self.total(kind)
+        found: list = []
         for index in np.argsort(-total, kind="stable"):
             if len(found) == kept or not np.isfinite(total[index]):
                 break
