@@ -67,8 +67,8 @@ class PositionPhotos(SkylineAlgorithm):
             tr(
                 "Cameras record local time. The time zone is read from the file, or taken from the parameter. If the "
                 "clock was wrong, give its offset, or have it found <i>from the skylines</i>: this needs an elevation "
-                "model and at least three photographs with a clear skyline from different places. If other offsets fit "
-                "as well, no photograph is placed and a warning says so."
+                "model and at least three photographs with a clear skyline from different places, and takes a few "
+                "minutes. If other offsets fit as well, no photograph is placed and a warning says so."
             ),
         ]
 
@@ -91,7 +91,10 @@ class PositionPhotos(SkylineAlgorithm):
         clock = QgsProcessingParameterEnum(
             "CLOCK", tr("Camera's clock"), [tr("as given"), tr("find its offset from the skylines")], defaultValue=0
         )
-        text = tr("The skylines show where the photographs were taken, and so how much the clock is ahead.")
+        text = tr(
+            "The skylines show where the photographs were taken, and so how much the clock is ahead: up to 14 hours to "
+            "either side. At most 20 photographs are used, spread over the walk and at least a minute apart."
+        )
         self.addParameter(shared.explained(clock, text))
         text = tr("Seconds by which the camera's clock is ahead of the true time; negative if it is behind.")
         offset = shared.number("CLOCK_OFFSET", tr("Clock is ahead by (s)"), 0.0, text, optional=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,25 +14,56 @@ from .base.terrain import Observer
 from .batch import PREVIEW_PX
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .io.photo import read_photo
+from .locate.fit import best_over_scales, curves_of
 from .match.geometry import HorizonCurve
-from .match.inputs import MatchInputs
+from .match.inputs import MatchInputs, eye_offsets_m
 from .match.likelihood import EvidenceStack
 from .match.posterior import table
-from .match.prior import camera_prior
+from .match.prior import CameraPrior, camera_prior
+from .match.refine import Objective, RefineOptions, refine
+from .match.robust import skyline_relief_deg
 from .match.search import SearchOptions, coarse_search
 from .skyline.evidence import SkylineOptions, skyline_evidence
-from .track.clock import ClockOptions, solve_clock
+from .skyline.plausible import check_skyline
+from .track.clock import ClockOptions, solve_clock, spread_over_walk
+from .track.offsets import COARSE
 from .track.track import TrackOptions
 
 CLOCK_HORIZON = HorizonOptions(azimuth_step_deg=0.2)
-CLOCK_SEARCHES = (
-    SearchOptions(step_deg=0.5, tolerance_deg=0.4, largest_roll_deg=5.0),
-    SearchOptions(step_deg=0.25, tolerance_deg=0.2, largest_roll_deg=5.0),
-)
-"""Of the first, coarse search along the track, and of those after it."""
+CLOCK_SEARCH = SearchOptions(step_deg=0.5, tolerance_deg=0.4, largest_roll_deg=5.0, keep=10)
+CLOCK_SCALES, CLOCK_STRIDE = (3.0, 1.0, 0.5, 0.25), 4
+"""Tolerances of the fine fit, and the step between the columns that it uses."""
 LEAST_COLUMNS = 0.3
 """Smallest share of columns with evidence for which a photograph helps to find the clock."""
+SHARED_DEG = (1 / 1500, 1e-4)
+"""Places closer than this share a horizon, for the coarse and the fine fit: about 75 m and 11 m [degrees]."""
 KEPT_HORIZONS = 4_000
+
+
+@dataclass(frozen=True, eq=False)
+class _View:
+    """A photograph's evidence, the lens of the reduced picture, and the search that suits its field of view."""
+
+    stack: EvidenceStack
+    prior: CameraPrior
+    search: SearchOptions
+
+    # parameters: the state of a fit
+    def climb(self, curves, trials, error_m, scale, stride):
+        """Fit the pose of each trial before its own horizon, as `best_over_scales` asks for it.
+
+        Parameters
+        ----------
+        curves : CurveSet
+            One horizon for each trial.
+        trials : (K, 5) array
+        error_m : float
+            Standard deviation of the places [m].
+        scale, stride : float, int
+            See `core.match.refine.refine`.
+        """
+        objective = Objective(self.stack, self.prior, curves, RefineOptions(), (), error_m)
+        return refine(objective, trials, scale, stride)
 
 
 class SkylineFit:
@@ -46,7 +78,8 @@ class SkylineFit:
 
     def __init__(self, dem, eye_height_m=1.7):
         self.dem, self.eye_height_m = dem, eye_height_m
-        self._views, self._horizons = [], OrderedDict()
+        self._views: list = []
+        self._horizons: OrderedDict = OrderedDict()
 
     def add(self, path, hfov_deg=None):
         """Read a photograph; return whether it shows a skyline that can help.
@@ -62,47 +95,80 @@ class SkylineFit:
             metadata = photo.metadata
             prior = camera_prior(metadata, hfov_deg)
             evidence = skyline_evidence(photo.pixels, SkylineOptions(), metadata.width_px, metadata.height_px)
+            check_skyline(evidence)
         except (PhotoError, MissingMetadataError):
             return False
         informative = EvidenceStack.informative_columns(evidence.probability)
         if len(informative) < LEAST_COLUMNS * evidence.probability.shape[1]:
             return False
         stack = EvidenceStack(evidence.probability, leaves_frame=evidence.leaves_frame)
-        camera = MatchInputs(evidence, prior, None).reduced_prior.camera  # type: ignore[arg-type]
-        self._views.append((stack, camera))
+        prior = MatchInputs(evidence, prior, None).reduced_prior  # type: ignore[arg-type]
+        search = CLOCK_SEARCH.for_picture(prior.camera.hfov_deg, skyline_relief_deg(stack, prior.camera))
+        self._views.append(_View(stack, prior, search))
         return True
 
-    def __call__(self, number, place, level):
-        """Log-likelihood of a photograph at a `Placed`, summed over the headings; None outside the DEM.
+    def __call__(self, number, place, kind):
+        """Log-likelihood of a photograph at a `Placed`; None outside the DEM.
+
+        The coarse one is summed over the headings, for an eye above the DEM. The fine one is that of the best pose,
+        averaged over the elevations of the eye: near terrain rises or sinks with the eye, so that one wrong elevation
+        prefers places which are tens of metres off.
 
         Parameters
         ----------
         number : int
             Of the photograph, in the order in which `add` took them.
         place : Placed
-        level : int
-            Of the search: the first is the coarsest.
+        kind : int
+            `COARSE` or `FINE`.
         """
-        horizon = self._horizon(round(place.longitude_deg, 6), round(place.latitude_deg, 6))
-        if horizon is None:
+        horizons = self._horizons_at(place, kind)
+        if horizons is None:
             return None
-        stack, camera = self._views[number]
         with one_blas_thread():
-            found = coarse_search(stack, camera, [horizon], CLOCK_SEARCHES[min(level, 1)])[0]
-        value = table()["temperature"] * found.score
+            value = self._coarse(number, horizons) if kind == COARSE else self._fine(number, horizons, place.error_m)
         return float(value.max() + np.log(np.mean(np.exp(value - value.max()))))
 
-    def _horizon(self, longitude_deg, latitude_deg):
-        key = longitude_deg, latitude_deg
+    def _coarse(self, number, horizons):
+        """Log-likelihoods of the headings."""
+        view = self._views[number]
+        found = coarse_search(view.stack, view.prior.camera, [HorizonCurve(horizons[0])], view.search)[0]
+        return table()["temperature"] * found.score
+
+    def _fine(self, number, horizons, error_m):
+        """Log-likelihoods of the elevations of the eye, each with its best pose."""
+        view = self._views[number]
+        found = coarse_search(view.stack, view.prior.camera, [HorizonCurve(each) for each in horizons], view.search)
+        starts = np.concatenate([each.candidates for each in found])
+        starts = np.column_stack([starts, np.zeros((len(starts), 2))])
+        owner = np.concatenate([np.full(len(each.candidates), eye) for eye, each in enumerate(found)])
+        curves = curves_of([horizons[eye] for eye in owner])
+        _, score = best_over_scales(view, curves, starts, error_m, (CLOCK_SCALES, CLOCK_STRIDE))
+        best = np.full(len(horizons), -np.inf)
+        np.maximum.at(best, owner, score)
+        return table()["temperature"] * best
+
+    def _horizons_at(self, place, kind):
+        """The horizon of the assumed eye, for the fine fit also those of its other elevations; None outside the DEM."""
+        key = kind, round(place.longitude_deg / SHARED_DEG[kind]), round(place.latitude_deg / SHARED_DEG[kind])
         if key not in self._horizons:
             try:
-                observer = Observer(longitude_deg, latitude_deg, self.eye_height_m)
-                self._horizons[key] = HorizonCurve(horizon_profile(self.dem, observer, CLOCK_HORIZON))
+                self._horizons[key] = self._computed(place, kind)
             except ObserverError:
                 self._horizons[key] = None
             while len(self._horizons) > KEPT_HORIZONS:
                 self._horizons.popitem(last=False)
         return self._horizons[key]
+
+    def _computed(self, place, kind):
+        observer = Observer(place.longitude_deg, place.latitude_deg, self.eye_height_m)
+        assumed = horizon_profile(self.dem, observer, CLOCK_HORIZON)
+        if kind == COARSE:
+            return (assumed,)
+        eye_m = assumed.eye_elevation_m
+        recorded = None if place.elevation_m is None else place.elevation_m - eye_m
+        others = [replace(observer, eye_elevation_m=eye_m + up) for up, _ in eye_offsets_m(assumed.cell_m, recorded)]
+        return (assumed, *(horizon_profile(self.dem, other, CLOCK_HORIZON) for other in others))
 
 
 # parameters: the photographs and what is known of them, which callers have as lists
@@ -132,14 +198,16 @@ def clock_from_skylines(
     """
     fit = SkylineFit(dem)
     times: list = []
-    # Reading the skyline takes longest, so only as many photographs as the search takes are read, spread over the walk.
-    order, stride = np.argsort(times_s, kind="stable"), max(-(-len(times_s) // options.photos), 1)
-    spread = np.concatenate([order[start::stride] for start in range(stride)])
-    for count, index in enumerate(spread):
+    # Only as many photographs are read as the search takes, spread over the walk; where one shows no skyline, its
+    # neighbour within a minute may.
+    order = spread_over_walk(times_s, options)
+    order += [index for index in range(len(times_s)) if index not in set(order)]
+    for count, index in enumerate(order):
         if len(times) == options.photos:
             break
-        checkpoint(progress, 0.2 * count / len(spread))
-        if fit.add(paths[index]):
+        checkpoint(progress, 0.2 * count / len(order))
+        apart = all(abs(times_s[index] - other) >= options.apart_s for other in times)
+        if apart and fit.add(paths[index]):
             times.append(float(times_s[index]))
     checkpoint(progress, 0.2)
     return solve_clock(times, track, fit, options, track_options, subtask(progress, 0.2, 1.0))

@@ -2446,8 +2446,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
-        <translation>Kameras zeichnen die Ortszeit auf. Die Zeitzone wird aus der Datei gelesen oder dem Parameter entnommen. Ging die Uhr falsch, geben Sie ihre Abweichung an oder lassen Sie sie &lt;i&gt;aus den Horizontlinien&lt;/i&gt; bestimmen: Dazu sind ein Höhenmodell und mindestens drei Fotos mit klarer Horizontlinie von verschiedenen Orten nötig. Passen andere Abweichungen ebenso gut, wird kein Foto verortet, und eine Warnung weist darauf hin.</translation>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places, and takes a few minutes. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Kameras zeichnen die Ortszeit auf. Die Zeitzone wird aus der Datei gelesen oder dem Parameter entnommen. Ging die Uhr falsch, geben Sie ihre Abweichung an oder lassen Sie sie &lt;i&gt;aus den Horizontlinien&lt;/i&gt; bestimmen: Dazu sind ein Höhenmodell und mindestens drei Fotos mit klarer Horizontlinie von verschiedenen Orten nötig; es dauert einige Minuten. Passen andere Abweichungen ebenso gut, wird kein Foto verortet, und eine Warnung weist darauf hin.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2486,8 +2486,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
-        <translation>Die Horizontlinien zeigen, wo die Fotos aufgenommen wurden, und damit, wie weit die Uhr vorgeht.</translation>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead: up to 14 hours to either side. At most 20 photographs are used, spread over the walk and at least a minute apart.</source>
+        <translation>Die Horizontlinien zeigen, wo die Fotos aufgenommen wurden, und damit, wie weit die Uhr vorgeht: bis zu 14 Stunden nach beiden Seiten. Höchstens 20 Fotos werden verwendet, über die Wanderung verteilt und mindestens eine Minute auseinander.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -7271,8 +7271,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
-        <translation>Die Uhr lässt sich nicht bestimmen: Nur {count} Fotos mit Aufnahmezeit zeigen eine Horizontlinie, {least} sind nötig. Geben Sie die Abweichung der Uhr an.</translation>
+        <source>The clock cannot be determined: only {count} photos with a time, at least a minute apart, show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>Die Uhr lässt sich nicht bestimmen: Nur {count} Fotos mit Aufnahmezeit, die mindestens eine Minute auseinanderliegen, zeigen eine Horizontlinie, {least} sind nötig. Geben Sie die Abweichung der Uhr an.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
@@ -7281,8 +7281,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
-        <translation>Die Kamerauhr geht um {offset} s vor, mit einer Standardabweichung von {sigma} s; {count} Fotos stimmen überein.</translation>
+        <source>The camera's clock is ahead by {offset} s (90 % interval: {lo} to {hi} s); {count} photos agree.</source>
+        <translation>Die Kamerauhr geht um {offset} s vor (90-%-Intervall: {lo} bis {hi} s); {count} Fotos stimmen überein.</translation>
     </message>
     <message>
         <location filename="../core/track/track.py"/>

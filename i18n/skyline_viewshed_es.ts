@@ -2446,8 +2446,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
-        <translation>Las cámaras registran la hora local. La zona horaria se lee del archivo o se toma del parámetro. Si el reloj iba mal, indique su desfase o haga que se determine &lt;i&gt;a partir de las líneas del horizonte&lt;/i&gt;: para ello se necesitan un modelo de elevación y al menos tres fotografías con una línea del horizonte clara desde lugares distintos. Si otros desfases encajan igual de bien, no se sitúa ninguna fotografía y un aviso lo indica.</translation>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places, and takes a few minutes. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Las cámaras registran la hora local. La zona horaria se lee del archivo o se toma del parámetro. Si el reloj iba mal, indique su desfase o haga que se determine &lt;i&gt;a partir de las líneas del horizonte&lt;/i&gt;: para ello se necesitan un modelo de elevación y al menos tres fotografías con una línea del horizonte clara desde lugares distintos, y tarda unos minutos. Si otros desfases encajan igual de bien, no se sitúa ninguna fotografía y un aviso lo indica.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2486,8 +2486,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
-        <translation>Las líneas del horizonte muestran dónde se tomaron las fotografías y, con ello, cuánto adelanta el reloj.</translation>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead: up to 14 hours to either side. At most 20 photographs are used, spread over the walk and at least a minute apart.</source>
+        <translation>Las líneas del horizonte muestran dónde se tomaron las fotografías y, con ello, cuánto adelanta el reloj: hasta 14 horas en ambos sentidos. Se usan como máximo 20 fotografías, repartidas por el recorrido y separadas al menos un minuto.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -7271,8 +7271,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
-        <translation>No se puede determinar el reloj: solo {count} fotos con hora muestran una línea del horizonte y se necesitan {least}. Indique el desfase del reloj.</translation>
+        <source>The clock cannot be determined: only {count} photos with a time, at least a minute apart, show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>No se puede determinar el reloj: solo {count} fotos con hora, separadas al menos un minuto, muestran una línea del horizonte y se necesitan {least}. Indique el desfase del reloj.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
@@ -7281,8 +7281,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
-        <translation>El reloj de la cámara adelanta {offset} s, con una desviación estándar de {sigma} s; {count} fotos coinciden.</translation>
+        <source>The camera's clock is ahead by {offset} s (90 % interval: {lo} to {hi} s); {count} photos agree.</source>
+        <translation>El reloj de la cámara adelanta {offset} s (intervalo del 90 %: de {lo} a {hi} s); {count} fotos coinciden.</translation>
     </message>
     <message>
         <location filename="../core/track/track.py"/>

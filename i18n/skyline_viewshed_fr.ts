@@ -2446,8 +2446,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places. If other offsets fit as well, no photograph is placed and a warning says so.</source>
-        <translation>Les appareils enregistrent l’heure locale. Le fuseau horaire est lu dans le fichier ou pris dans le paramètre. Si l’horloge était déréglée, donnez son décalage ou faites-le déterminer &lt;i&gt;d’après les lignes d’horizon&lt;/i&gt; : il faut un modèle d’élévation et au moins trois photographies avec une ligne d’horizon nette, prises de lieux différents. Si d’autres décalages conviennent aussi bien, aucune photographie n’est positionnée et un avertissement l’indique.</translation>
+        <source>Cameras record local time. The time zone is read from the file, or taken from the parameter. If the clock was wrong, give its offset, or have it found &lt;i&gt;from the skylines&lt;/i&gt;: this needs an elevation model and at least three photographs with a clear skyline from different places, and takes a few minutes. If other offsets fit as well, no photograph is placed and a warning says so.</source>
+        <translation>Les appareils enregistrent l’heure locale. Le fuseau horaire est lu dans le fichier ou pris dans le paramètre. Si l’horloge était déréglée, donnez son décalage ou faites-le déterminer &lt;i&gt;d’après les lignes d’horizon&lt;/i&gt; : il faut un modèle d’élévation et au moins trois photographies avec une ligne d’horizon nette, prises de lieux différents, et cela prend quelques minutes. Si d’autres décalages conviennent aussi bien, aucune photographie n’est positionnée et un avertissement l’indique.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -2486,8 +2486,8 @@
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
-        <source>The skylines show where the photographs were taken, and so how much the clock is ahead.</source>
-        <translation>Les lignes d’horizon montrent où les photographies ont été prises, donc de combien l’horloge avance.</translation>
+        <source>The skylines show where the photographs were taken, and so how much the clock is ahead: up to 14 hours to either side. At most 20 photographs are used, spread over the walk and at least a minute apart.</source>
+        <translation>Les lignes d’horizon montrent où les photographies ont été prises, donc de combien l’horloge avance : jusqu’à 14 heures dans les deux sens. Au plus 20 photographies sont utilisées, réparties sur le parcours et espacées d’au moins une minute.</translation>
     </message>
     <message>
         <location filename="../algorithms/position_photos.py"/>
@@ -7271,8 +7271,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The clock cannot be determined: only {count} photos with a time show a skyline, and {least} are needed. Give the clock's offset.</source>
-        <translation>L’horloge ne peut pas être déterminée : seules {count} photos datées montrent une ligne d’horizon, il en faut {least}. Indiquez le décalage de l’horloge.</translation>
+        <source>The clock cannot be determined: only {count} photos with a time, at least a minute apart, show a skyline, and {least} are needed. Give the clock's offset.</source>
+        <translation>L’horloge ne peut pas être déterminée : seules {count} photos datées, espacées d’au moins une minute, montrent une ligne d’horizon, il en faut {least}. Indiquez le décalage de l’horloge.</translation>
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
@@ -7281,8 +7281,8 @@
     </message>
     <message>
         <location filename="../core/track/clock.py"/>
-        <source>The camera's clock is ahead by {offset} s, with a standard deviation of {sigma} s; {count} photos agree.</source>
-        <translation>L’horloge de l’appareil avance de {offset} s, avec un écart-type de {sigma} s ; {count} photos concordent.</translation>
+        <source>The camera's clock is ahead by {offset} s (90 % interval: {lo} to {hi} s); {count} photos agree.</source>
+        <translation>L’horloge de l’appareil avance de {offset} s (intervalle à 90 % : de {lo} à {hi} s) ; {count} photos concordent.</translation>
     </message>
     <message>
         <location filename="../core/track/track.py"/>

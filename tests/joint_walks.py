@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from datetime import datetime, timedelta
 
+import numpy as np
 from skyline_viewshed.core.base.camera import Camera, Pose
-from skyline_viewshed.core.base.model import Candidate, Orientation, OrientedPhoto, PhotoMetadata
+from skyline_viewshed.core.base.model import Candidate, HorizonProfile, Orientation, OrientedPhoto, PhotoMetadata
 from skyline_viewshed.core.base.uncertainty import PoseUncertainty
 
 CAMERA = Camera(800, 600, 700.0)
@@ -26,3 +27,12 @@ def photo(name, status, answers=(), compass=None, minutes=0.0, **facts):
         status, "", candidates, p_correct=answers[0][1] if answers else None, uncertainty=PoseUncertainty()
     )
     return OrientedPhoto(name, answer, metadata, camera=camera, compass_true_deg=compass, **facts)
+
+
+def horizon_at(distance_m, cell_m=90.0):
+    """Give a horizon at a distance: a number, or one for each degree of azimuth [m]."""
+    none = np.zeros(360, bool)
+    distance = np.array(np.broadcast_to(np.asarray(distance_m, float), 360))
+    return HorizonProfile(
+        np.arange(360.0), np.full(360, 5.0), distance, none, none, 4000.0, cell_m, np.full(360, 1e5)
+    )  # fmt: skip

@@ -14,6 +14,7 @@ from ..base.status import RELIABLE
 from ..base.uncertainty import Z_90, PoseUncertainty
 from .adjust import KnownPose, adjusted
 from .circle import shortest_arc
+from .sideways import sideways_deg
 from .together import RIGHT_DEG
 
 MOST_NAMES = 3
@@ -121,8 +122,18 @@ def _known(photo, belief):
     if not np.isfinite(best.score):
         return KnownPose(best.pose, (np.inf,) * 3)
     tilt = photo.orientation.uncertainty or PoseUncertainty(pitch_deg=USUAL_TILT_DEG, roll_deg=USUAL_TILT_DEG)
-    sigma = np.array([best.heading_sigma_deg or USUAL_TILT_DEG, tilt.pitch_deg, tilt.roll_deg])
+    sigma = np.array([_own_sigma_deg(photo) or USUAL_TILT_DEG, tilt.pitch_deg, tilt.roll_deg])
     return KnownPose(best.pose, tuple(sigma / np.sqrt(belief.weight)))
+
+
+def _own_sigma_deg(photo):
+    """Standard deviation of a heading by the photograph's own skyline, errors of DEM and place included, or None.
+
+    An answer that is accepted alone has a skyline that decides by itself; one that others decide may lean on a ridge
+    so near that the DEM's error turns it by degrees.
+    """
+    sigma = photo.orientation.best.heading_sigma_deg
+    return None if sigma is None else float(np.hypot(sigma, sideways_deg(photo)))
 
 
 def _answer(photo, base, belief, around):
@@ -130,7 +141,7 @@ def _answer(photo, base, belief, around):
     heading = base.heading_deg
     if heading is None:
         return photo
-    best, sigma = base.orientation.best, base.orientation.best.heading_sigma_deg
+    best, sigma = base.orientation.best, _own_sigma_deg(base)
     if refined is not None:
         best, sigma = replace(best, pose=refined.pose), refined.sigma_deg[0]
         best = replace(best, pose=replace(best.pose, heading_deg=float(wrap_360(best.pose.heading_deg))))

@@ -220,7 +220,7 @@ def _searched(inputs, options, progress):
     objectives = tuple(
         Objective(stack, prior, curve, options.refine, marks, inputs.position_error_m) for curve in curves
     )
-    grid = options.search.for_picture(prior.camera.hfov_deg, _skyline_relief_deg(stack, prior.camera))
+    grid = options.search.for_picture(prior.camera.hfov_deg, skyline_relief_deg(stack, prior.camera))
     belief = partial(_belief, inputs.heading_prior)
     return objectives, coarse_search(stack, prior.camera, curves, grid, belief, progress)
 
@@ -246,7 +246,7 @@ def _fitted(inputs, objectives, coarse, options, progress):
     return Answers(objectives, around, fits.trials, fits.eye, fits.scale, finding, options.heading_floor_deg)
 
 
-def _skyline_relief_deg(stack, camera):
+def skyline_relief_deg(stack, camera):
     """Spread of the likeliest rows about a straight line [degrees]: the relief by which headings can be separated."""
     columns = stack.informative
     spread_px = relief_px(columns, stack.probability[:, columns].argmax(axis=0))

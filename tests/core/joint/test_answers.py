@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from joint_walks import photo
+from joint_walks import horizon_at, photo
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import Pose
 from skyline_viewshed.core.base.uncertainty import Z_90
@@ -80,3 +80,14 @@ def test_an_uncertain_neighbour_changes_no_status():
     first, second = answered(photos, [tie(0, 1, 20.0)])
     assert first.status == second.status == "ambiguous"
     assert second.heading_deg == pytest.approx(250.0, abs=0.1) and second.p_correct < 0.7
+
+
+def test_an_answer_that_others_decide_has_a_wider_interval_before_a_near_ridge():
+    width = []
+    for distance_m in (400.0, 20_000.0):
+        near = photo("b.jpg", "ambiguous", [(60.4, 0.5)], horizon=horizon_at(distance_m))
+        helped = answered([SURE, near], [tie(0, 1, 20.0)])[1]
+        low, high = helped.heading_interval_deg
+        assert helped.status == "accepted"
+        width.append((high - low) % 360)
+    assert width[0] > 1.2 * width[1]
