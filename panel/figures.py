@@ -16,6 +16,7 @@ from .model.faults import guarded
 from .model.overlays import Line
 from .view.map_marks import PlaceTool
 from .view.tools import BrushTool, ChainTool, ClickTool, CorrectTool, StrokeTool, Tool
+from .words import body_words
 
 
 class Figures:
@@ -33,6 +34,8 @@ class Figures:
             "look": Tool(canvas),
             "correct": CorrectTool(canvas, correction),
             "landmark": ClickTool(canvas, self._take_landmark_pixel),
+            "sun": ClickTool(canvas, partial(self._take_body, "sun")),
+            "moon": ClickTool(canvas, partial(self._take_body, "moon")),
             "draw": StrokeTool(canvas, partial(self._take_stroke, True)),
             "repair": StrokeTool(canvas, partial(self._take_stroke, False)),
             "brush": BrushTool(canvas, self._take_brush),
@@ -78,9 +81,17 @@ class Figures:
         self.view.dock.canvas.sketch = []
         if pixel is None or not self.view.correction.possible:
             return
-        self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg))
-        count = len(self.view.session.draft.landmarks)
-        self.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+        if self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg)):
+            count = len(self.view.session.draft.landmarks)
+            self.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+
+    def _take_body(self, body, pixel):
+        if not self.view.correction.possible:
+            self.say(tr("No landmark yet: the picture or the elevation model is missing."))
+            return
+        direction = self.view.correction.add_body(body, pixel)
+        if direction is not None:
+            self.say(body_words(body, *direction))
 
     def _ask_map(self, take):
         self._give_map_back()

@@ -165,14 +165,26 @@ def levelled_draft(draft, ground, evidence):
     return replace(draft, pose=levelled(draft.camera, draft.pose, ground.horizon, evidence.best))
 
 
-def placed_by_landmarks(draft, ground):
-    """Fit a draft to its landmarks; raises `PhotoError` if one has no elevation."""
+def placed_by_landmarks(draft, ground, metadata):
+    """Fit a draft to its landmarks.
+
+    Parameters
+    ----------
+    draft : Draft
+    ground : Ground
+    metadata : PhotoMetadata
+        For the time, from which the place of the sun and the moon follows.
+
+    Raises
+    ------
+    PhotoError
+        A landmark has no elevation; the time is unknown; or the sun or the moon was below the horizon.
+    """
     from ...core.base.camera import FOCAL_SIGMA, Pose
     from ...core.mapping.adjust import fitted_to_landmarks
-    from .ground import direction_of
 
     marks = [
-        (mark.x_px, mark.y_px, *direction_of(ground, mark.longitude_deg, mark.latitude_deg, mark.elevation_m))
+        (mark.x_px, mark.y_px, *mark.direction_deg(ground.terrain, ground.observer, metadata))
         for mark in draft.landmarks
     ]
     sigma = FOCAL_SIGMA if draft.lens_known else 0.5
