@@ -83,7 +83,7 @@ class Figures:
             return
         if self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg)):
             count = len(self.view.session.draft.landmarks)
-            self.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+            self._say_placed(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
 
     def _take_body(self, body, pixel):
         if not self.view.correction.possible:
@@ -91,7 +91,15 @@ class Figures:
             return
         direction = self.view.correction.add_body(body, pixel)
         if direction is not None:
-            self.say(body_words(body, *direction))
+            self._say_placed(body_words(body, *direction))
+
+    def _say_placed(self, sentence):
+        if self.view.correction.contradictory:
+            sentence = tr(
+                "The landmarks contradict one another. Undo the last one, or check the pixels, the places on the map "
+                "and the clock of the camera."
+            )
+        self.say(sentence)
 
     def _ask_map(self, take):
         self._give_map_back()

@@ -167,6 +167,12 @@ class Correction:
         return mark.direction_deg(self.session.ground.terrain, eye, self._metadata)
 
     @property
+    def contradictory(self):
+        """Whether no pose fits all landmarks."""
+        session = self.session
+        return bool(solving.missed_landmarks(session.history.now, session.ground, self._metadata))
+
+    @property
     def _metadata(self):
         """What the photograph's file says; nothing without the file."""
         picture = self.session.picture
@@ -206,12 +212,14 @@ class Correction:
         """Go back by one step."""
         if self.session.history:
             self.session.history.undo()
+            self.session.told.emit("")
             self.session.draft_changed.emit()
 
     def redo(self):
         """Go forward by one step."""
         if self.session.history:
             self.session.history.redo()
+            self.session.told.emit("")
             self.session.draft_changed.emit()
 
     def _add(self, draft):

@@ -92,6 +92,19 @@ def test_a_body_that_cannot_be_there_gets_a_sentence_and_changes_nothing(night, 
     assert night.hand.draft == start and not night.session.history.can_undo
 
 
+def test_landmarks_that_contradict_one_another_are_said_and_can_be_undone(night):
+    hand, eye = night.hand, night.session.ground.observer
+    hand.press("moon")
+    hand.click(*night.moon)
+    right = hand.draft
+    hand.press("landmark")
+    hand.click(400.0, 300.0)
+    hand.click_map(eye.longitude_deg + 0.05, eye.latitude_deg)
+    assert "contradict one another" in hand.said
+    hand.press("undo")
+    assert hand.draft == right and hand.said == ""
+
+
 def test_without_an_elevation_model_a_click_on_the_sun_gets_a_sentence(night):
     night.view.dock.dem_box.setLayer(None)
     night.hand.press("sun")
