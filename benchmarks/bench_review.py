@@ -76,7 +76,7 @@ def review(view, hand, look_s):
 
     Returns
     -------
-    list of (shown_s, judged_s, complete_s)
+    list of (shown_s, judged_s, complete_s, memory_mb)
         From the key until the next photograph is painted; with the DEM's horizon; with the extracted skyline too.
     """
     session, canvas = view.session, hand.canvas
@@ -95,7 +95,8 @@ def review(view, hand, look_s):
         )
         shown = seconds_until(known[0], canvas, start)
         judged = shown if known[1]() else seconds_until(known[1], canvas, start)
-        times.append((shown, judged, judged if known[2]() else seconds_until(known[2], canvas, start)))
+        complete = judged if known[2]() else seconds_until(known[2], canvas, start)
+        times.append((shown, judged, complete, resident_mb()))
         looked_s = time.perf_counter() - start - judged
         QTest.qWait(round(1000 * max(look_s - looked_s, 0.0)))
     hand.key(keys[(len(ids) - 1) % len(keys)])
@@ -123,18 +124,13 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         dem, rows = archive(arguments.data, Path(name), arguments.photos)
         view, hand = open_panel(Path(name), dem, rows)
-        before, start = resident_mb(), time.perf_counter()
-        shown, judged, complete = np.array(review(view, hand, arguments.look)).T
+        start = time.perf_counter()
+        shown, judged, complete, memory = np.array(review(view, hand, arguments.look)).T
         whole, layer, ids = time.perf_counter() - start, view.session.photos.layer, view.session.photos.ids()
         wrong = verdict_faults(layer, ids)
         layer.rollBack()
         room = AN_HOUR_S / TARGET - LOOK_S
-        result = {
-            "photographs": len(ids),
-            "whole_s": whole,
-            "memory_before_mb": before,
-            "memory_after_mb": resident_mb(),
-        }
+        result = {"photographs": len(ids), "whole_s": whole}
         for label, times in (("shown", shown), ("judged", judged), ("complete", complete)):
             result.update({f"{label}_median_s": np.median(times), f"{label}_95_s": np.quantile(times, 0.95),
                            f"{label}_most_s": times.max()})  # fmt: skip
@@ -142,6 +138,9 @@ def main():
         result.update(
             judged_first_tenth_s=np.median(judged[:tenth]),
             judged_last_tenth_s=np.median(judged[-tenth:]),
+            memory_first_tenth_mb=np.median(memory[:tenth]),
+            memory_last_tenth_mb=np.median(memory[-tenth:]),
+            memory_most_mb=memory.max(),
             share_within_room=np.mean(judged <= room),
             left_to_look_s=AN_HOUR_S / TARGET - judged.mean(),
             wrong_verdicts=len(wrong),

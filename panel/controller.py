@@ -231,11 +231,10 @@ class PhotoView:
         window = self.dock.parent()
         if window is not None and not self.dock.isVisible():
             self.iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
-            if not self._opened:
-                width = round(FIRST_SHARE * window.width())
-                window.resizeDocks([self.dock], [width], Qt.Orientation.Horizontal)
-            self._opened = True
         self.dock.show()
+        if window is not None and not self._opened and not self.dock.isFloating():
+            window.resizeDocks([self.dock], [round(FIRST_SHARE * window.width())], Qt.Orientation.Horizontal)
+        self._opened = True
         self.dock.canvas.setFocus()
 
     def remove(self):

@@ -83,7 +83,9 @@ class Figures:
             return
         if self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg)):
             count = len(self.view.session.draft.landmarks)
-            self._say_placed(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+            one = tr("One landmark. Set another, press Snap, or press Keep.")
+            several = tr("{count} landmarks. Set another, press Snap, or press Keep.")
+            self._say_placed(one if count == 1 else several.format(count=count))
 
     def _take_body(self, body, pixel):
         if not self.view.correction.possible:
@@ -114,6 +116,10 @@ class Figures:
             self.say(tr("The map's coordinate system does not reach there."))
         else:
             take(*position)
+        # Otherwise the map keeps the keys, and Ctrl+Z takes back a kept correction instead of this click.
+        canvas = self.view.dock.canvas
+        canvas.window().activateWindow()
+        canvas.setFocus()
 
     def _give_map_back(self):
         if self._map_tool is not None:

@@ -181,7 +181,8 @@ class PictureStore:
         self._pictures.move_to_end(path)
         while self.size > MOST_BYTES and len(self._pictures) > 1:
             self._pictures.popitem(last=False)
-            self.lane.submit("memory", lambda job: give_back_memory(), lambda result: None, urgency=5)
+            # At once: while a person goes from picture to picture, the lane always has something else to do.
+            self.lane.submit("memory", lambda job: give_back_memory(), lambda result: None, urgency=0)
         self._keep_thumbnail(path, thumbnail_of(picture.levels[-1]))
         return picture
 

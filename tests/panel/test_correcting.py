@@ -185,6 +185,16 @@ def test_a_repaired_and_masked_skyline_is_what_snap_fits(panel, scene):
     assert hand.draft.strokes == hand.draft.brush == ()
 
 
+def test_after_a_click_on_the_map_the_keys_go_to_the_picture_again(panel):
+    hand, canvas = panel.hand, panel.view.dock.canvas
+    hand.press("landmark")
+    hand.click(400.0, 500.0)
+    panel.view.dock.layer_box.setFocus()
+    assert canvas.window().focusWidget() is not canvas
+    hand.click_map(panel.session.ground.observer.longitude_deg + 0.02, panel.session.ground.observer.latitude_deg)
+    assert canvas.window().focusWidget() is canvas and hand.said.startswith("One landmark.")
+
+
 def test_facing_a_place_turns_the_camera(panel):
     hand, session = panel.hand, panel.session
     eye = session.ground.observer

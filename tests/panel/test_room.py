@@ -2,24 +2,42 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QImage, QPainter
-from qgis.PyQt.QtWidgets import QWidget
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QMainWindow
+from skyline_viewshed.panel.controller import PhotoView
 from skyline_viewshed.panel.model.ground import Spot
 from skyline_viewshed.panel.view.spots import SpotMark
 
 
-def test_the_panel_is_wide_when_it_is_first_opened(panel, monkeypatch):
-    view, window = panel.view, panel.view.iface.mainWindow()
-    view.dock.hide()
-    window.setCentralWidget(QWidget())
-    window.resize(1600, 900)
-    monkeypatch.setattr(view.iface, "addDockWidget", window.addDockWidget)
-    monkeypatch.setattr(view, "_opened", False)
+def test_the_panel_is_wide_when_it_is_first_opened(qgis_app, qgis_new_project):
+    window = QMainWindow()
+    canvas = QgsMapCanvas(window)
+    window.setCentralWidget(canvas)
+    window.resize(1500, 900)
+    window.show()
+    desk = SimpleNamespace(
+        mainWindow=lambda: window,
+        mapCanvas=lambda: canvas,
+        activeLayer=lambda: None,
+        addDockWidget=window.addDockWidget,
+        removeDockWidget=window.removeDockWidget,
+    )
+    view = PhotoView(desk)
     view.open()
-    panel.hand.settle()
-    width = view.dock.width()
-    window.removeDockWidget(view.dock)
-    assert 0.4 * window.width() < width < 0.5 * window.width()
+    QTest.qWait(200)
+    assert 0.4 * window.width() < view.dock.width() < 0.5 * window.width()
+    window.resizeDocks([view.dock], [400], Qt.Orientation.Horizontal)
+    view.dock.hide()
+    view.open()
+    QTest.qWait(200)
+    assert view.dock.width() == 400
+    view.remove()
+    window.close()
 
 
 def test_a_long_sentence_about_a_place_stays_in_a_narrow_picture(panel):
