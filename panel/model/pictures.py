@@ -181,8 +181,10 @@ class PictureStore:
         self._pictures.move_to_end(path)
         while self.size > MOST_BYTES and len(self._pictures) > 1:
             self._pictures.popitem(last=False)
-            # At once: while a person goes from picture to picture, the lane always has something else to do.
-            self.lane.submit("memory", lambda job: give_back_memory(), lambda result: None, urgency=0)
+            # At once, since the lane is never idle while a person goes from picture to picture, and once it is idle.
+            for urgency in (0, 5):
+                key = "memory", urgency
+                self.lane.submit(key, lambda job: give_back_memory(), lambda result: None, urgency=urgency)
         self._keep_thumbnail(path, thumbnail_of(picture.levels[-1]))
         return picture
 
