@@ -161,7 +161,7 @@ class Correction:
         """Add the sun or the moon at a pixel: its azimuth and elevation angle [degrees], or None if that failed."""
         eye = self.session.ground.observer
         # It needs no place, but tables of points in QGIS do: the camera's.
-        mark = LandmarkHint(*pixel, eye.longitude_deg, eye.latitude_deg, body=body)
+        mark = LandmarkHint(pixel[0], pixel[1], eye.longitude_deg, eye.latitude_deg, body=body)
         if not self.add_landmark(mark):
             return None
         return mark.direction_deg(self.session.ground.terrain, eye, self._metadata)
