@@ -72,12 +72,11 @@ def read_aids(folder, path):
     """
     if folder is None or not path:
         return (), (), False, ()
-    from ...core.base.landmark_hint import LandmarkHint
     from ...core.skyline.repair import BrushStroke
 
     marks = tuple(
-        LandmarkHint(values["x"], values["y"], *_place(feature), values.get("elevation"), body=_body(feature) or None)
-        for values, feature in ((feature["properties"], feature) for feature in _features(folder))
+        _hint(feature["properties"], _place(feature), _body(feature))
+        for feature in _features(folder)
         if _is_landmark_of(feature, path)
     )
     drawn: dict[str, Any] = next((drawn for name, drawn in _drawings(folder).items() if means(name, path)), {})
@@ -137,6 +136,12 @@ def _is_landmark_of(feature, path):
     body = _body(feature)
     shows = body in BODIES if body else None not in _place(feature)
     return bool(known and shows and means(values["photo"], path))
+
+
+def _hint(values, place, body):
+    from ...core.base.landmark_hint import LandmarkHint
+
+    return LandmarkHint(values["x"], values["y"], place[0], place[1], values.get("elevation"), body=body or None)
 
 
 def _place(feature):
