@@ -159,9 +159,8 @@ def _write_landmarks(folder, path, draft):
         values = {"photo": name_of(path), "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
         if mark.body:
             values["body"] = mark.body
-        place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]}
-        if mark.longitude_deg is None:
-            place = None
+        known = mark.longitude_deg is not None
+        place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]} if known else None
         features.append({"type": "Feature", "properties": values, "geometry": place})
     if features or (folder / LANDMARKS).exists():
         _write_text(folder / LANDMARKS, json.dumps({"type": "FeatureCollection", "features": features}, indent=1))
