@@ -118,6 +118,10 @@ bench-monoplot: setup ## Ground error and error ellipses of monoplotting, on sim
 bench-panel: setup ## Speed and memory of the Photo view: [COUNT=300]
 	@$(PYTHON) benchmarks/bench_panel.py --photos $(or $(COUNT),300)
 
+.PHONY: bench-review
+bench-review: setup ## Time that the Photo view takes of a reviewer's hour: [COUNT=500] [LOOK=seconds] [DATA=../shared/data]
+	@$(PYTHON) benchmarks/bench_review.py --photos $(or $(COUNT),500) --look $(or $(LOOK),0) --data "$(or $(DATA),../shared/data)"
+
 .PHONY: bench-speed
 bench-speed: setup ## Horizon and viewshed against their peers
 	@$(PYTHON) benchmarks/bench_speed.py

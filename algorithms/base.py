@@ -8,6 +8,7 @@ from pathlib import Path
 from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingException,
+    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
 )
@@ -16,6 +17,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..core.base.errors import Cancelled, SkylineViewshedError
 from .shared.elevation import dem_fault, dem_source
 from .shared.i18n import in_users_language, tr
+from .shared.outputs import destination
 from .shared.reporting import facts_of, software
 from .shared.styling import tell_provenance
 
@@ -108,13 +110,17 @@ class SkylineAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def _destination_fault(self, parameters, context):
-        for definition in self.parameterDefinitions():
-            if not isinstance(
-                definition, (QgsProcessingParameterFileDestination, QgsProcessingParameterRasterDestination)
-            ):
+        files = QgsProcessingParameterFileDestination, QgsProcessingParameterRasterDestination
+        for definition in self.destinationParameterDefinitions():
+            value = destination(parameters.get(definition.name()), context)
+            if isinstance(definition, QgsProcessingParameterFeatureSink) or not value or value == "TEMPORARY_OUTPUT":
                 continue
-            value = parameters.get(definition.name())
-            if not isinstance(value, str) or not value or value == "TEMPORARY_OUTPUT":
+            if value.startswith("memory:"):  # it would become a file of that name in the working folder
+                return tr(
+                    "{name} cannot be kept in memory, as only vector layers can. Choose a temporary file, or name a "
+                    "file or folder."
+                ).format(name=definition.name())
+            if not isinstance(definition, files):
                 continue
             folder = _nearest_folder(Path(value).expanduser().absolute().parent)
             if not os.access(folder, os.W_OK) or not folder.is_dir():

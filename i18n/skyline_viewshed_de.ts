@@ -287,6 +287,11 @@
     </message>
     <message>
         <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be kept in memory, as only vector layers can. Choose a temporary file, or name a file or folder.</source>
+        <translation>{name} kann nicht im Arbeitsspeicher gehalten werden; das geht nur mit Vektorlayern. Wählen Sie eine temporäre Datei, oder nennen Sie eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
         <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
         <translation>{name} kann nicht geschrieben werden: In {folder} dürfen Sie nicht schreiben, oder es ist kein Ordner.</translation>
     </message>
@@ -4820,8 +4825,18 @@
     </message>
     <message>
         <location filename="../panel/figures.py"/>
+        <source>One landmark. Set another, press Snap, or press Keep.</source>
+        <translation>Eine Landmarke. Setzen Sie eine weitere, drücken Sie Einrasten oder Übernehmen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
         <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
         <translation>{count} Landmarken. Setzen Sie eine weitere, drücken Sie Einrasten oder Übernehmen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The landmarks contradict one another. Undo the last one, or check the pixels, the places on the map and the clock of the camera.</source>
+        <translation>Die Landmarken widersprechen einander. Machen Sie die letzte rückgängig, oder prüfen Sie die Pixel, die Orte auf der Karte und die Uhr der Kamera.</translation>
     </message>
     <message>
         <location filename="../panel/figures.py"/>
@@ -5040,6 +5055,11 @@
     </message>
     <message>
         <location filename="../panel/model/solving.py"/>
+        <source>The skyline contradicts the landmarks, so the horizon stays where they put it. Check the landmarks, or mask what hides the skyline.</source>
+        <translation>Die Horizontlinie widerspricht den Landmarken; der Horizont bleibt, wo diese ihn festlegen. Prüfen Sie die Landmarken, oder maskieren Sie, was die Horizontlinie verdeckt.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
         <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
         <translation>Die Horizontlinie legt es hier nicht genauer fest; der Horizont bleibt, wo Sie ihn hingelegt haben. Setzen Sie eine Landmarke, zeichnen Sie die Horizontlinie, oder maskieren Sie, was sie verdeckt.</translation>
     </message>
@@ -5122,6 +5142,26 @@
         <location filename="../panel/view/actions.py"/>
         <source>Click a point in the picture, then the same point on the map.</source>
         <translation>Klicken Sie einen Punkt im Bild an, dann denselben Punkt auf der Karte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the sun in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Klicken Sie die Sonne im Bild an. Ihre Richtung folgt aus Zeit und Ort der Aufnahme.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Moon</source>
+        <translation>Mond</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the moon in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Klicken Sie den Mond im Bild an. Seine Richtung folgt aus Zeit und Ort der Aufnahme.</translation>
     </message>
     <message>
         <location filename="../panel/view/actions.py"/>
@@ -5526,6 +5566,16 @@
         <translation>Außerhalb des Geländemodells oder in einer Lücke davon, {direction}</translation>
     </message>
     <message>
+        <location filename="../panel/words.py"/>
+        <source>The sun stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>Die Sonne stand bei Azimut {azimuth}°, Höhenwinkel {angle}°. Drücken Sie Einrasten oder Übernehmen.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>The moon stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>Der Mond stand bei Azimut {azimuth}°, Höhenwinkel {angle}°. Drücken Sie Einrasten oder Übernehmen.</translation>
+    </message>
+    <message>
         <location filename="../core/base/attributes.py"/>
         <source>GPS altitude (m)</source>
         <translation>GPS-Höhe (m)</translation>
@@ -5803,8 +5853,8 @@
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>
-        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
-        <translation>Eine Landmarke ist die Sonne oder der Mond, aber das Foto enthält keine Aufnahmezeit mit Zeitzone. Entfernen Sie diese Landmarke oder schreiben Sie die Tags DateTimeOriginal und OffsetTimeOriginal.</translation>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Write the tags DateTimeOriginal and OffsetTimeOriginal, or leave this landmark out.</source>
+        <translation>Eine Landmarke ist die Sonne oder der Mond, aber das Foto enthält keine Aufnahmezeit mit Zeitzone. Schreiben Sie die Tags DateTimeOriginal und OffsetTimeOriginal, oder lassen Sie diese Landmarke weg.</translation>
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>

@@ -287,6 +287,11 @@
     </message>
     <message>
         <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be kept in memory, as only vector layers can. Choose a temporary file, or name a file or folder.</source>
+        <translation>{name} no se puede guardar en memoria; solo se puede con capas vectoriales. Elija un archivo temporal o indique un archivo o una carpeta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
         <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
         <translation>No se puede escribir {name}: {folder} no es una carpeta en la que usted pueda escribir.</translation>
     </message>
@@ -4820,8 +4825,18 @@
     </message>
     <message>
         <location filename="../panel/figures.py"/>
+        <source>One landmark. Set another, press Snap, or press Keep.</source>
+        <translation>Un punto de referencia. Añada otro, pulse Ajustar o pulse Conservar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
         <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
         <translation>{count} puntos de referencia. Añada otro, pulse Ajustar o pulse Conservar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The landmarks contradict one another. Undo the last one, or check the pixels, the places on the map and the clock of the camera.</source>
+        <translation>Los puntos de referencia se contradicen. Deshaga el último o compruebe los píxeles, los lugares del mapa y el reloj de la cámara.</translation>
     </message>
     <message>
         <location filename="../panel/figures.py"/>
@@ -5040,6 +5055,11 @@
     </message>
     <message>
         <location filename="../panel/model/solving.py"/>
+        <source>The skyline contradicts the landmarks, so the horizon stays where they put it. Check the landmarks, or mask what hides the skyline.</source>
+        <translation>La línea del horizonte contradice los puntos de referencia, así que el horizonte queda donde ellos lo ponen. Compruebe los puntos de referencia o enmascare lo que oculta la línea del horizonte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
         <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
         <translation>La línea del horizonte no lo decide aquí con más exactitud, así que el horizonte queda donde usted lo puso. Ponga un punto de referencia, dibuje la línea del horizonte o enmascare lo que la oculta.</translation>
     </message>
@@ -5122,6 +5142,26 @@
         <location filename="../panel/view/actions.py"/>
         <source>Click a point in the picture, then the same point on the map.</source>
         <translation>Haga clic en un punto de la imagen y luego en el mismo punto del mapa.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the sun in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Haga clic en el Sol en la imagen. Su dirección se deduce de la hora y el lugar de la fotografía.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Moon</source>
+        <translation>Luna</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the moon in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Haga clic en la Luna en la imagen. Su dirección se deduce de la hora y el lugar de la fotografía.</translation>
     </message>
     <message>
         <location filename="../panel/view/actions.py"/>
@@ -5526,6 +5566,16 @@
         <translation>Fuera del modelo de elevaciones o en un hueco de él, {direction}</translation>
     </message>
     <message>
+        <location filename="../panel/words.py"/>
+        <source>The sun stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>El Sol estaba en el acimut {azimuth}°, ángulo de elevación {angle}°. Pulse Ajustar o pulse Conservar.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>The moon stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>La Luna estaba en el acimut {azimuth}°, ángulo de elevación {angle}°. Pulse Ajustar o pulse Conservar.</translation>
+    </message>
+    <message>
         <location filename="../core/base/attributes.py"/>
         <source>GPS altitude (m)</source>
         <translation>Altitud GPS (m)</translation>
@@ -5803,8 +5853,8 @@
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>
-        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
-        <translation>Un punto de referencia es el Sol o la Luna, pero la foto no registra su hora con una zona horaria. Elimine este punto de referencia o escriba las etiquetas DateTimeOriginal y OffsetTimeOriginal.</translation>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Write the tags DateTimeOriginal and OffsetTimeOriginal, or leave this landmark out.</source>
+        <translation>Un punto de referencia es el Sol o la Luna, pero la foto no registra su hora con una zona horaria. Escriba las etiquetas DateTimeOriginal y OffsetTimeOriginal o prescinda de este punto de referencia.</translation>
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>

@@ -287,6 +287,11 @@
     </message>
     <message>
         <location filename="../algorithms/base.py"/>
+        <source>{name} cannot be kept in memory, as only vector layers can. Choose a temporary file, or name a file or folder.</source>
+        <translation>{name} ne peut pas être gardé en mémoire ; seules les couches vectorielles le peuvent. Choisissez un fichier temporaire, ou indiquez un fichier ou un dossier.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/base.py"/>
         <source>{name} cannot be written: {folder} is not a folder you may write to.</source>
         <translation>{name} ne peut pas être écrit : {folder} n'est pas un dossier où vous pouvez écrire.</translation>
     </message>
@@ -4820,8 +4825,18 @@
     </message>
     <message>
         <location filename="../panel/figures.py"/>
+        <source>One landmark. Set another, press Snap, or press Keep.</source>
+        <translation>Un point de repère. Posez-en un autre, appuyez sur Ajuster ou sur Conserver.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
         <source>{count} landmarks. Set another, press Snap, or press Keep.</source>
         <translation>{count} points de repère. Posez-en un autre, appuyez sur Ajuster ou sur Conserver.</translation>
+    </message>
+    <message>
+        <location filename="../panel/figures.py"/>
+        <source>The landmarks contradict one another. Undo the last one, or check the pixels, the places on the map and the clock of the camera.</source>
+        <translation>Les points de repère se contredisent. Annulez le dernier, ou vérifiez les pixels, les lieux sur la carte et l'horloge de l'appareil.</translation>
     </message>
     <message>
         <location filename="../panel/figures.py"/>
@@ -5040,6 +5055,11 @@
     </message>
     <message>
         <location filename="../panel/model/solving.py"/>
+        <source>The skyline contradicts the landmarks, so the horizon stays where they put it. Check the landmarks, or mask what hides the skyline.</source>
+        <translation>La ligne d'horizon contredit les points de repère ; l'horizon reste où ils le placent. Vérifiez les points de repère, ou masquez ce qui cache la ligne d'horizon.</translation>
+    </message>
+    <message>
+        <location filename="../panel/model/solving.py"/>
         <source>The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the skyline, or mask what hides it.</source>
         <translation>La ligne d'horizon ne tranche pas plus finement ici ; l'horizon reste où vous l'avez mis. Posez un point de repère, dessinez la ligne d'horizon, ou masquez ce qui la cache.</translation>
     </message>
@@ -5122,6 +5142,26 @@
         <location filename="../panel/view/actions.py"/>
         <source>Click a point in the picture, then the same point on the map.</source>
         <translation>Cliquez un point de l'image, puis le même point sur la carte.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Sun</source>
+        <translation>Soleil</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the sun in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Cliquez sur le Soleil dans l'image. Sa direction se déduit de l'heure et du lieu de la photographie.</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Moon</source>
+        <translation>Lune</translation>
+    </message>
+    <message>
+        <location filename="../panel/view/actions.py"/>
+        <source>Click the moon in the picture. Its direction follows from the time and the place of the photograph.</source>
+        <translation>Cliquez sur la Lune dans l'image. Sa direction se déduit de l'heure et du lieu de la photographie.</translation>
     </message>
     <message>
         <location filename="../panel/view/actions.py"/>
@@ -5526,6 +5566,16 @@
         <translation>Hors du modèle de terrain ou dans une de ses lacunes, {direction}</translation>
     </message>
     <message>
+        <location filename="../panel/words.py"/>
+        <source>The sun stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>Le Soleil se trouvait à l'azimut {azimuth}°, angle d'élévation {angle}°. Appuyez sur Ajuster ou sur Conserver.</translation>
+    </message>
+    <message>
+        <location filename="../panel/words.py"/>
+        <source>The moon stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep.</source>
+        <translation>La Lune se trouvait à l'azimut {azimuth}°, angle d'élévation {angle}°. Appuyez sur Ajuster ou sur Conserver.</translation>
+    </message>
+    <message>
         <location filename="../core/base/attributes.py"/>
         <source>GPS altitude (m)</source>
         <translation>Altitude GPS (m)</translation>
@@ -5803,8 +5853,8 @@
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>
-        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal.</source>
-        <translation>Un repère est le Soleil ou la Lune, mais la photo n'enregistre pas son heure avec un fuseau horaire. Supprimez ce repère ou écrivez les balises DateTimeOriginal et OffsetTimeOriginal.</translation>
+        <source>A landmark is the sun or the moon, but the photo does not record its time with a time zone. Write the tags DateTimeOriginal and OffsetTimeOriginal, or leave this landmark out.</source>
+        <translation>Un repère est le Soleil ou la Lune, mais la photo n'enregistre pas son heure avec un fuseau horaire. Écrivez les balises DateTimeOriginal et OffsetTimeOriginal, ou laissez ce repère de côté.</translation>
     </message>
     <message>
         <location filename="../core/base/landmark_hint.py"/>

@@ -24,6 +24,9 @@ from .words import photo_words
 SOON_MS = 4
 """The mouse may move more than once before the next frame is drawn."""
 
+FIRST_SHARE = 0.45
+"""Width of the panel when it is first opened, as a share of QGIS's window."""
+
 
 class PhotoView:
     """The panel with its model and its marks on the map.
@@ -43,7 +46,8 @@ class PhotoView:
         self.cursors = Cursors(self)
         self.figures = Figures(self)
         self.layers = Layers(self)
-        self._review, self._overlays = False, Overlays()
+        self._review = self._opened = False
+        self._overlays = Overlays()
         self._soon = QTimer(self.dock)
         self._soon.setSingleShot(True)
         self._soon.setInterval(SOON_MS)
@@ -224,9 +228,13 @@ class PhotoView:
 
     def open(self):
         """Show the panel."""
-        if self.dock.parent() is not None and not self.dock.isVisible():
+        window = self.dock.parent()
+        if window is not None and not self.dock.isVisible():
             self.iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
         self.dock.show()
+        if window is not None and not self._opened and not self.dock.isFloating():
+            window.resizeDocks([self.dock], [round(FIRST_SHARE * window.width())], Qt.Orientation.Horizontal)
+        self._opened = True
         self.dock.canvas.setFocus()
 
     def remove(self):

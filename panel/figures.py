@@ -16,6 +16,7 @@ from .model.faults import guarded
 from .model.overlays import Line
 from .view.map_marks import PlaceTool
 from .view.tools import BrushTool, ChainTool, ClickTool, CorrectTool, StrokeTool, Tool
+from .words import body_words
 
 
 class Figures:
@@ -33,6 +34,8 @@ class Figures:
             "look": Tool(canvas),
             "correct": CorrectTool(canvas, correction),
             "landmark": ClickTool(canvas, self._take_landmark_pixel),
+            "sun": ClickTool(canvas, partial(self._take_body, "sun")),
+            "moon": ClickTool(canvas, partial(self._take_body, "moon")),
             "draw": StrokeTool(canvas, partial(self._take_stroke, True)),
             "repair": StrokeTool(canvas, partial(self._take_stroke, False)),
             "brush": BrushTool(canvas, self._take_brush),
@@ -78,9 +81,27 @@ class Figures:
         self.view.dock.canvas.sketch = []
         if pixel is None or not self.view.correction.possible:
             return
-        self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg))
-        count = len(self.view.session.draft.landmarks)
-        self.say(tr("{count} landmarks. Set another, press Snap, or press Keep.").format(count=count))
+        if self.view.correction.add_landmark(LandmarkHint(pixel[0], pixel[1], longitude_deg, latitude_deg)):
+            count = len(self.view.session.draft.landmarks)
+            one = tr("One landmark. Set another, press Snap, or press Keep.")
+            several = tr("{count} landmarks. Set another, press Snap, or press Keep.")
+            self._say_placed(one if count == 1 else several.format(count=count))
+
+    def _take_body(self, body, pixel):
+        if not self.view.correction.possible:
+            self.say(tr("No landmark yet: the picture or the elevation model is missing."))
+            return
+        direction = self.view.correction.add_body(body, pixel)
+        if direction is not None:
+            self._say_placed(body_words(body, *direction))
+
+    def _say_placed(self, sentence):
+        if self.view.correction.contradictory:
+            sentence = tr(
+                "The landmarks contradict one another. Undo the last one, or check the pixels, the places on the map "
+                "and the clock of the camera."
+            )
+        self.say(sentence)
 
     def _ask_map(self, take):
         self._give_map_back()
@@ -95,6 +116,10 @@ class Figures:
             self.say(tr("The map's coordinate system does not reach there."))
         else:
             take(*position)
+        # Otherwise the map keeps the keys, and Ctrl+Z takes back a kept correction instead of this click.
+        canvas = self.view.dock.canvas
+        canvas.window().activateWindow()
+        canvas.setFocus()
 
     def _give_map_back(self):
         if self._map_tool is not None:

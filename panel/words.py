@@ -58,3 +58,19 @@ def place_words(place):
     if place.state == "sky":
         return tr("Sky, {direction}").format(direction=direction)
     return tr("Beyond the elevation model or in a hole of it, {direction}").format(direction=direction)
+
+
+def body_words(body, azimuth_deg, elevation_deg):
+    """Where the sun or the moon, which was clicked in the picture, stood.
+
+    Parameters
+    ----------
+    body : str
+        'sun' or 'moon'.
+    azimuth_deg, elevation_deg : float
+    """
+    text = {
+        "sun": tr("The sun stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep."),
+        "moon": tr("The moon stood at azimuth {azimuth}°, elevation angle {angle}°. Press Snap, or press Keep."),
+    }[body]
+    return text.format(azimuth=f"{azimuth_deg:.1f}", angle=f"{elevation_deg:+.1f}")

@@ -89,7 +89,7 @@ class LandmarkHint:
             raise PhotoError(
                 Message(
                     "A landmark is the sun or the moon, but the photo does not record its time with a time zone. "
-                    "Remove this landmark, or write the tags DateTimeOriginal and OffsetTimeOriginal."
+                    "Write the tags DateTimeOriginal and OffsetTimeOriginal, or leave this landmark out."
                 )
             )
         when = metadata.taken_at.replace(tzinfo=timezone(timedelta(seconds=metadata.utc_offset_s)))

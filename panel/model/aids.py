@@ -1,6 +1,6 @@
 """Landmarks, drawn skylines and sky masks in the tables and files that Orient photos reads, by photograph.
 
-A folder holds `landmarks.geojson` (points with photo, x, y, elevation), `skylines.csv` (photo, column, row) and
+A folder holds `landmarks.geojson` (points with photo, x, y, elevation, body), `skylines.csv` (photo, column, row) and
 `sky_masks/` with one PNG per photograph. The strokes and the brush behind a mask are kept in `drawings.json`, so that
 they can be changed later.
 """
@@ -18,6 +18,7 @@ from qgis.core import QgsProviderRegistry
 from ...algorithms.shared.outputs import unwritable
 from ...core.base.errors import UnreadableFeaturesError
 from ...core.base.messages import Message
+from ...core.base.sun_moon import BODIES
 from .solving import skyline_of, write_mask
 
 LANDMARKS, SKYLINES, MASKS, DRAWINGS = "landmarks.geojson", "skylines.csv", "sky_masks", "drawings.json"
@@ -71,15 +72,12 @@ def read_aids(folder, path):
     """
     if folder is None or not path:
         return (), (), False, ()
-    from ...core.base.landmark_hint import LandmarkHint
     from ...core.skyline.repair import BrushStroke
 
     marks = tuple(
-        LandmarkHint(
-            values["x"], values["y"], place["coordinates"][0], place["coordinates"][1], values.get("elevation")
-        )
-        for values, place in ((feature["properties"], feature["geometry"]) for feature in _landmarks(folder))
-        if means(values["photo"], path)
+        _hint(feature["properties"], _place(feature), _body(feature))
+        for feature in _features(folder)
+        if _is_landmark_of(feature, path)
     )
     drawn: dict[str, Any] = next((drawn for name, drawn in _drawings(folder).items() if means(name, path)), {})
     strokes = tuple(tuple(map(tuple, stroke)) for stroke in drawn.get("strokes", []))
@@ -127,32 +125,42 @@ def _write_all(folder, path, draft, evidence):
     _write_text(folder / DRAWINGS, json.dumps(drawings))
 
 
-def _landmarks(folder):
-    """Landmarks of all photographs on the map, as GeoJSON features; those without pixels or place are left out."""
-    found = []
-    for feature in _features(folder):
-        values, place = feature.get("properties") or {}, (feature.get("geometry") or {}).get("coordinates") or ()
-        known = values.get("photo") and None not in (values.get("x"), values.get("y"))
-        if len(place) >= 2 and known and not _in_sky(feature):
-            found.append(feature)
-    return found
-
-
 def _features(folder):
     return _json(folder / LANDMARKS).get("features", [])
 
 
-def _in_sky(feature):
-    """Tell whether a landmark is the sun or the moon, which *Orient photos* reads and the panel does not edit."""
-    return bool((feature.get("properties") or {}).get("body"))
+def _is_landmark_of(feature, path):
+    """Tell whether a GeoJSON feature is a landmark that the panel edits: with a pixel, and with a place or a body."""
+    values = feature.get("properties") or {}
+    known = values.get("photo") and None not in (values.get("x"), values.get("y"))
+    body = _body(feature)
+    shows = body in BODIES if body else None not in _place(feature)
+    return bool(known and shows and means(values["photo"], path))
+
+
+def _hint(values, place, body):
+    from ...core.base.landmark_hint import LandmarkHint
+
+    return LandmarkHint(values["x"], values["y"], place[0], place[1], values.get("elevation"), body=body or None)
+
+
+def _place(feature):
+    place = (feature.get("geometry") or {}).get("coordinates") or ()
+    return tuple(place[:2]) if len(place) >= 2 else (None, None)
+
+
+def _body(feature):
+    return str((feature.get("properties") or {}).get("body") or "").strip().lower()
 
 
 def _write_landmarks(folder, path, draft):
-    features = [feature for feature in _landmarks(folder) if not means(feature["properties"]["photo"], path)]
-    features += filter(_in_sky, _features(folder))
+    features = [feature for feature in _features(folder) if not _is_landmark_of(feature, path)]
     for mark in draft.landmarks:
         values = {"photo": name_of(path), "x": mark.x_px, "y": mark.y_px, "elevation": mark.elevation_m}
-        place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]}
+        if mark.body:
+            values["body"] = mark.body
+        known = mark.longitude_deg is not None
+        place = {"type": "Point", "coordinates": [mark.longitude_deg, mark.latitude_deg]} if known else None
         features.append({"type": "Feature", "properties": values, "geometry": place})
     if features or (folder / LANDMARKS).exists():
         _write_text(folder / LANDMARKS, json.dumps({"type": "FeatureCollection", "features": features}, indent=1))

@@ -8,6 +8,8 @@ from ...algorithms.shared.i18n import in_users_language, tr
 from ...core.base.angles import difference
 from ...core.base.camera import Pose
 from ...core.base.errors import SkylineViewshedError
+from ...core.base.landmark_hint import LandmarkHint
+from ...core.base.model import PhotoMetadata
 from ...core.mapping import adjust
 from . import solving
 from .aids import aids_folder, write_aids
@@ -93,14 +95,13 @@ class Correction:
 
     def face(self, longitude_deg, latitude_deg):
         """Turn to a place of the map, level with the skyline. An answer that looks elsewhere gives no roll either."""
-        from .ground import direction_of
-
         self.begin()
         if self._start is None:
             return
         session = self.session
         try:
-            azimuth, _ = direction_of(session.ground, longitude_deg, latitude_deg, 0.0)
+            place, ground = LandmarkHint(0.0, 0.0, longitude_deg, latitude_deg, 0.0), session.ground
+            azimuth, _ = place.direction_deg(ground.terrain, ground.observer, self._metadata)
         except SkylineViewshedError as error:
             session.told.emit(in_users_language(error.message))
             self.end()
@@ -149,8 +150,33 @@ class Correction:
         self._add(draft)
 
     def add_landmark(self, landmark):
-        """Add a pixel and its place on the map, and fit the pose to all landmarks."""
-        self._with_landmarks((*self.session.history.now.landmarks, landmark))
+        """Add a pixel and what it shows, and fit the pose to all landmarks; True if that worked.
+
+        There is one sun and one moon, so that another click on them takes the place of an earlier one.
+        """
+        known = self.session.history.now.landmarks
+        return self._with_landmarks((*(m for m in known if m.body is None or m.body != landmark.body), landmark))
+
+    def add_body(self, body, pixel):
+        """Add the sun or the moon at a pixel: its azimuth and elevation angle [degrees], or None if that failed."""
+        eye = self.session.ground.observer
+        # It needs no place, but tables of points in QGIS do: the camera's.
+        mark = LandmarkHint(pixel[0], pixel[1], eye.longitude_deg, eye.latitude_deg, body=body)
+        if not self.add_landmark(mark):
+            return None
+        return mark.direction_deg(self.session.ground.terrain, eye, self._metadata)
+
+    @property
+    def contradictory(self):
+        """Whether no pose fits all landmarks."""
+        session = self.session
+        return bool(solving.missed_landmarks(session.history.now, session.ground, self._metadata))
+
+    @property
+    def _metadata(self):
+        """What the photograph's file says; nothing without the file."""
+        picture = self.session.picture
+        return PhotoMetadata("", 0, 0) if picture is None else picture.metadata
 
     def remove_landmarks(self):
         """Forget the landmarks; the pose stays."""
@@ -160,9 +186,11 @@ class Correction:
     def _with_landmarks(self, landmarks):
         draft = replace(self.session.history.now, landmarks=landmarks)
         try:
-            self._add(solving.placed_by_landmarks(draft, self.session.ground))
+            self._add(solving.placed_by_landmarks(draft, self.session.ground, self._metadata))
         except SkylineViewshedError as error:
             self.session.told.emit(in_users_language(error.message))
+            return False
+        return True
 
     def add_stroke(self, stroke, anew):
         """Draw a stretch of the skyline; `anew` draws it without the extracted one."""
@@ -184,12 +212,14 @@ class Correction:
         """Go back by one step."""
         if self.session.history:
             self.session.history.undo()
+            self.session.told.emit("")
             self.session.draft_changed.emit()
 
     def redo(self):
         """Go forward by one step."""
         if self.session.history:
             self.session.history.redo()
+            self.session.told.emit("")
             self.session.draft_changed.emit()
 
     def _add(self, draft):

@@ -228,31 +228,6 @@ def spot_of(ground, posed, longitude_deg, latitude_deg):
     return Spot(state, float(shown.x_px[0]), float(shown.y_px[0]), turn, float(shown.distance_m[0]), hidden_at)
 
 
-def direction_of(ground, longitude_deg, latitude_deg, elevation_m=None):
-    """Direction of a place from the eye: azimuth and elevation angle [degrees].
-
-    Parameters
-    ----------
-    ground : Ground
-    longitude_deg, latitude_deg : float
-    elevation_m : float or None
-        None means that of the DEM, which must be known there.
-
-    Raises
-    ------
-    PhotoError
-    """
-    from ...core.base.curvature import apparent_drop_m
-    from ...core.base.terrain import ground_elevation_m
-
-    east, north = ground.terrain.local_of(ground.observer, longitude_deg, latitude_deg)
-    if elevation_m is None:
-        elevation_m = ground_elevation_m(ground.terrain, ground.terrain.frame(longitude_deg, latitude_deg, 1_000.0))
-    distance = float(np.hypot(east, north))
-    rise = elevation_m - apparent_drop_m(distance) - ground.observer.eye_elevation_m
-    return float(np.degrees(np.arctan2(east, north)) % 360), float(np.degrees(np.arctan2(rise, distance)))
-
-
 def wedge_of(ground, posed, length_m):
     """Outline of the ground that the picture can show, as (lon, lat) arrays.
 

@@ -181,7 +181,10 @@ class PictureStore:
         self._pictures.move_to_end(path)
         while self.size > MOST_BYTES and len(self._pictures) > 1:
             self._pictures.popitem(last=False)
-            self.lane.submit("memory", lambda job: give_back_memory(), lambda result: None, urgency=5)
+            # At once, since the lane is never idle while a person goes from picture to picture, and once it is idle.
+            for urgency in (0, 5):
+                key = "memory", urgency
+                self.lane.submit(key, lambda job: give_back_memory(), lambda result: None, urgency=urgency)
         self._keep_thumbnail(path, thumbnail_of(picture.levels[-1]))
         return picture
 

@@ -21,6 +21,11 @@ five times that of a hand (`adjust.HAND_SHARE`), so that the skyline decides wit
 FAR_DEG = 8.0
 """An answer farther than this from the heading that a person set is another one, and is not taken [degrees]."""
 
+CONTRADICTED = Message(
+    "The skyline contradicts the landmarks, so the horizon stays where they put it. Check the landmarks, or mask what "
+    "hides the skyline."
+)
+
 UNDECIDED = Message(
     "The skyline does not decide more exactly here, so the horizon stays where you put it. Set a landmark, draw the "
     "skyline, or mask what hides it."
@@ -55,8 +60,8 @@ def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
     with tempfile.TemporaryDirectory() as folder:
         request = _request(item, draft, ground, evidence, free, folder)
         options = (request, dem, OrientOptions(), HorizonCache(), *([progress] if progress is not None else []))
-        answer = orient_request(*options).orientation
-    best = answer.best
+        oriented = orient_request(*options)
+    answer, best = oriented.orientation, oriented.orientation.best
     if best is None:
         return draft, answer.message
     if draft.pose is not None:
@@ -66,6 +71,9 @@ def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
             return draft, UNDECIDED
     interval = (answer.heading_lo_deg, answer.heading_hi_deg)
     found = draft.placed(best.pose, "snapped", best.camera, None if None in interval else interval)
+    known = ground, oriented.metadata
+    if draft.pose is not None and missed_landmarks(found, *known) - missed_landmarks(draft, *known):
+        return draft, CONTRADICTED
     return found, answer.message if draft.pose is None else ""
 
 
@@ -165,14 +173,56 @@ def levelled_draft(draft, ground, evidence):
     return replace(draft, pose=levelled(draft.camera, draft.pose, ground.horizon, evidence.best))
 
 
-def placed_by_landmarks(draft, ground):
-    """Fit a draft to its landmarks; raises `PhotoError` if one has no elevation."""
+def missed_landmarks(draft, ground, metadata):
+    """Landmarks of a draft that its pose misses by more than a person's click could.
+
+    Parameters
+    ----------
+    draft : Draft
+    ground : Ground
+    metadata : PhotoMetadata
+
+    Returns
+    -------
+    set of LandmarkHint
+
+    Raises
+    ------
+    PhotoError
+        As `placed_by_landmarks`.
+    """
+    from ...core.base.camera import project
+    from ...core.match.landmarks import CONTRADICTION_SHARE
+
+    camera, missed = draft.camera, set()
+    limit_px = CONTRADICTION_SHARE * np.hypot(camera.width_px, camera.height_px)
+    for mark in draft.landmarks:
+        x, y = project(camera, draft.pose, *mark.direction_deg(ground.terrain, ground.observer, metadata))
+        if not np.hypot(x - mark.x_px, y - mark.y_px) <= limit_px:  # NaN behind the camera
+            missed.add(mark)
+    return missed
+
+
+def placed_by_landmarks(draft, ground, metadata):
+    """Fit a draft to its landmarks.
+
+    Parameters
+    ----------
+    draft : Draft
+    ground : Ground
+    metadata : PhotoMetadata
+        For the time, from which the place of the sun and the moon follows.
+
+    Raises
+    ------
+    PhotoError
+        A landmark has no elevation; the time is unknown; or the sun or the moon was below the horizon.
+    """
     from ...core.base.camera import FOCAL_SIGMA, Pose
     from ...core.mapping.adjust import fitted_to_landmarks
-    from .ground import direction_of
 
     marks = [
-        (mark.x_px, mark.y_px, *direction_of(ground, mark.longitude_deg, mark.latitude_deg, mark.elevation_m))
+        (mark.x_px, mark.y_px, *mark.direction_deg(ground.terrain, ground.observer, metadata))
         for mark in draft.landmarks
     ]
     sigma = FOCAL_SIGMA if draft.lens_known else 0.5

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
+from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ...algorithms.shared.i18n import tr
 
+ICONS = Path(__file__).resolve().parents[2] / "icons"
+
 
 @dataclass(frozen=True)
 class Spec:
-    """An action; without an `icon`, its button shows its key.
+    """An action; without an `icon` of ours or of QGIS, its button shows its key.
 
     `key` is (key, Ctrl, Shift) or None, and `tool` makes it one of the exclusive tools.
     """
@@ -43,6 +47,12 @@ def specs():
                 "keys, comma, full stop, plus and minus do the same."), True),
         Spec("landmark", tr("Landmark"), "mActionAddMarker", (Qt.Key.Key_M, False, False),
              tr("Click a point in the picture, then the same point on the map."), True),
+        Spec("sun", tr("Sun"), "photo_view_sun", (Qt.Key.Key_U, False, False),
+             tr("Click the sun in the picture. Its direction follows from the time and the place of the photograph."),
+             True),
+        Spec("moon", tr("Moon"), "photo_view_moon", (Qt.Key.Key_O, False, False),
+             tr("Click the moon in the picture. Its direction follows from the time and the place of the photograph."),
+             True),
         Spec("draw", tr("Draw skyline"), "mActionStreamingDigitize", (Qt.Key.Key_W, False, False),
              tr("Draw the whole skyline by hand; the extracted one is ignored."), True),
         Spec("repair", tr("Repair skyline"), "mActionReshape", (Qt.Key.Key_E, False, False),
@@ -114,7 +124,8 @@ def make_action(spec, parent):
     """Make the action; its key is in the tooltip, since `Keys` handles it."""
     action = QAction(spec.text, parent)
     if spec.icon:
-        action.setIcon(QgsApplication.getThemeIcon(f"/{spec.icon}.svg"))
+        own = ICONS / f"{spec.icon}.svg"
+        action.setIcon(QIcon(str(own)) if own.exists() else QgsApplication.getThemeIcon(f"/{spec.icon}.svg"))
     else:
         action.setIconText(key_text(spec.key))
     action.setCheckable(spec.tool)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from qgis.PyQt.QtCore import QPointF, QRectF
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPen, QPolygonF, QTextOption
 
 from ...algorithms.shared.i18n import tr
 from ...core.base.camera import Camera
 
 COLOUR = "#4cff88"
-ARROW_PX = 16.0
+ARROW_PX, MARGIN_PX = 16.0, 24.0
 
 
 def spot_words(spot):
@@ -71,10 +71,11 @@ class SpotMark:
 
     def _words(self, canvas, painter, x, y):
         text = spot_words(self.spot)
-        metrics = QFontMetricsF(painter.font())
-        width, height = metrics.horizontalAdvance(text) + 8, metrics.height()
-        left = min(max(x + 12, 4.0), canvas.width() - width - 24)
-        box = QRectF(left, min(max(y + 10, 0.0), canvas.height() - height), width, height)
+        room = QRectF(0.0, 0.0, canvas.width() - 2 * MARGIN_PX, canvas.height())
+        box = QFontMetricsF(painter.font()).boundingRect(room, int(Qt.TextFlag.TextWordWrap), text)
+        box.adjust(0.0, 0.0, 8.0, 0.0)
+        box.moveLeft(max(min(x + 12, canvas.width() - box.width() - MARGIN_PX), 4.0))
+        box.moveTop(min(max(y + 10, 0.0), canvas.height() - box.height()))
         painter.fillRect(box, QColor(16, 21, 28, 170))
         painter.setPen(QColor("#ffffff"))
         painter.drawText(box, text, QTextOption())

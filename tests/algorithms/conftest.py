@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
+from map_layers import REACH_M, memory_layer
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
+from qgis.PyQt.QtCore import QVariant
 
 
 @pytest.fixture
@@ -83,3 +87,33 @@ def refusal(algorithm):
         return "" if passed else message
 
     return ask
+
+
+@pytest.fixture(scope="session")
+def oriented(qgis_app, scene):
+    """The scene's photographs with their true poses, as orientphotos would write them."""
+    real, text = QVariant.Double, QVariant.String
+    fields = [("photo", text), ("heading", real), ("pitch", real), ("roll", real), ("hfov", real), ("vfov", real)]
+    fields += [("eye_z", real), ("heading_lo", real), ("heading_hi", real), ("status", text)]
+    rows = []
+    for name, pose in scene.truth.items():
+        lon, lat = scene.positions[name]
+        values = [str(scene.folder / f"{name}.jpg"), pose.heading_deg, pose.pitch_deg, pose.roll_deg, scene.hfov_deg]
+        values += [None, None, pose.heading_deg - 0.3, pose.heading_deg + 0.3, "accepted"]
+        rows.append((f"Point({lon!r} {lat!r})", values))
+    return memory_layer("Point", fields, rows)
+
+
+@pytest.fixture(scope="session")
+def known(scene):
+    """The north photo as the core has it: view and terrain."""
+    from skyline_viewshed.core.base.camera import Camera, focal_of_fov_px
+    from skyline_viewshed.core.base.posed import PosedPhoto
+    from skyline_viewshed.core.base.terrain import Observer
+    from skyline_viewshed.core.base.view import open_view
+    from skyline_viewshed.core.io.raster import open_dem
+
+    dem = open_dem(str(scene.dem))
+    camera = Camera(800, 600, focal_of_fov_px(800, scene.hfov_deg))
+    view = open_view(dem, PosedPhoto(camera, scene.truth["north"], Observer(*scene.positions["north"], 1.7)), REACH_M)
+    return SimpleNamespace(dem=dem, view=view, camera=camera)

@@ -49,8 +49,8 @@ def test_fields_of_the_distortion_reach_the_answer(run, scene, distorted):
     assert right["status"] == "accepted" and (right["k1"], right["k2"]) == (K1, 0.0)
     assert abs(difference(right["heading"], pose.heading_deg)) < 0.3 and abs(right["pitch"] - pose.pitch_deg) < 0.3
     assert right["ncc"] > pinhole["ncc"]
-    seen, _ = run("directedviewshed", {"INPUT": results["OUTPUT"], "DEM": str(scene.dem), "MAX_DISTANCE": 2_000.0,
-                                       "OUTPUT": "memory:", "POLYGONS": "memory:", "STATUSES": []})  # fmt: skip
+    given = {"INPUT": results["OUTPUT"], "DEM": str(scene.dem), "MAX_DISTANCE": 2_000.0, "STATUSES": []}
+    seen, _ = run("directedviewshed", {**given, "OUTPUT": "TEMPORARY_OUTPUT", "POLYGONS": "memory:"})
     assert seen["COUNT"] >= 1
 
 

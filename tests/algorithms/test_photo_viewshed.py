@@ -134,7 +134,9 @@ def test_a_figure_without_its_photograph_has_the_maps_alone(solved, run, scene, 
     _, feedback = run("directedviewshed", {**parameters, **outputs})
     pictures = sorted((tmp_path / "figures").iterdir())
     assert [path.name for path in pictures] == ["Point 1.png", "gone.png"]
-    assert all(Image.open(path).size[0] < 3 * 480 for path in pictures)
+    for path in pictures:
+        with Image.open(path) as picture:
+            assert picture.size[0] < 3 * 480
     assert any("gone.jpg" in warning and "no such file" in warning for warning in feedback.warnings)
 
 

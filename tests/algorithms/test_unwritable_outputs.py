@@ -63,3 +63,35 @@ def test_an_output_below_a_file_is_refused_in_words(qgis_process, scene, tmp_pat
     said = done.stderr + done.stdout
     assert done.returncode == 1
     assert "Traceback" not in said and str(tmp_path / "file") in said, said
+
+
+@pytest.mark.parametrize("wrapped", [False, True])
+def test_only_vector_layers_are_kept_in_memory(provider, wrapped):
+    """Elsewhere `memory:` would become a file of that name in the working folder."""
+    from qgis.core import (
+        QgsProcessingContext,
+        QgsProcessingOutputLayerDefinition,
+        QgsProcessingParameterFeatureSink,
+    )
+
+    value = QgsProcessingOutputLayerDefinition("memory:") if wrapped else "memory:"
+    ours = [algorithm for algorithm in provider.algorithms() if hasattr(algorithm, "help_text")]
+    others = [
+        (algorithm, definition.name())
+        for algorithm in ours
+        for definition in algorithm.destinationParameterDefinitions()
+        if not isinstance(definition, QgsProcessingParameterFeatureSink)
+    ]
+    assert {"directedviewshed", "drapephoto", "photocoverage"} <= {algorithm.name() for algorithm, _ in others}
+    for algorithm, output in others:
+        fault = algorithm._destination_fault({output: value}, QgsProcessingContext())
+        assert f"{output} cannot be kept in memory" in fault
+
+
+def test_a_raster_in_memory_is_refused_before_anything_starts(refusal, scene):
+    from qgis.core import QgsVectorLayer
+
+    points = QgsVectorLayer("Point?crs=EPSG:4326&field=heading:double", "points", "memory")
+    given = {"INPUT": points, "DEM": str(scene.dem), "OUTPUT": "memory:"}
+    assert "OUTPUT cannot be kept in memory" in refusal("directedviewshed", given)
+    assert refusal("horizonprofile", given) == ""

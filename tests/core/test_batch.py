@@ -1,16 +1,16 @@
 import csv
 from dataclasses import replace
-from datetime import datetime, timedelta
+from datetime import datetime
 
 import numpy as np
 import pytest
+from moonlit import moonlit_photo
 from osgeo import gdal
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.declination import declination_deg
 from skyline_viewshed.core.base.errors import TerrainError, UnusableDemError
 from skyline_viewshed.core.base.landmark_hint import LandmarkHint
-from skyline_viewshed.core.base.sun_moon import direction_deg
 from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, doubt_of_heights, orient_request
 from skyline_viewshed.core.io.dem_reading import DemReading
 from skyline_viewshed.core.io.photo import read_photo
@@ -234,22 +234,9 @@ def test_the_paper_s_method_goes_through_the_same_entry(scene, dem):
 
 
 @pytest.fixture(scope="module")
-def moonlit(scene, dem, tmp_path_factory):
-    """The scene's photo to the west with a time at night at which the moon is in its frame, and the moon's pixel."""
-    photo = read_photo(str(scene.folder / "west.jpg"))
-    oriented, pose = orient_request(PhotoRequest(str(scene.folder / "west.jpg")), dem), scene.truth["west"]
-    place = oriented.longitude_deg, oriented.latitude_deg
-    for hour in range(24 * 60):
-        when = datetime(2024, 1, 1) + timedelta(hours=hour)
-        x, y = project(oriented.orientation.best.camera, pose, *direction_deg("moon", *place, when))
-        if 0 <= x < 800 and 0 <= y < 300 and direction_deg("sun", *place, when)[1] < -5:
-            break
-    else:
-        raise AssertionError("the moon is never in the picture")
-    path = str(tmp_path_factory.mktemp("moon") / "west.jpg")
-    metadata = replace(photo.metadata, taken_at=when - timedelta(hours=7), utc_offset_s=-7 * 3600.0)
-    write_photo(path, photo.pixels, metadata)
-    return path, float(x), float(y)
+def moonlit(scene, tmp_path_factory):
+    """The scene's photo to the west at night, with the moon in its frame, and the moon's pixel."""
+    return moonlit_photo(scene, tmp_path_factory.mktemp("moon"))
 
 
 def test_the_moon_is_a_landmark_without_a_map_point(scene, dem, moonlit):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -186,6 +185,16 @@ def test_a_repaired_and_masked_skyline_is_what_snap_fits(panel, scene):
     assert hand.draft.strokes == hand.draft.brush == ()
 
 
+def test_after_a_click_on_the_map_the_keys_go_to_the_picture_again(panel):
+    hand, canvas = panel.hand, panel.view.dock.canvas
+    hand.press("landmark")
+    hand.click(400.0, 500.0)
+    panel.view.dock.layer_box.setFocus()
+    assert canvas.window().focusWidget() is not canvas
+    hand.click_map(panel.session.ground.observer.longitude_deg + 0.02, panel.session.ground.observer.latitude_deg)
+    assert canvas.window().focusWidget() is canvas and hand.said.startswith("One landmark.")
+
+
 def test_facing_a_place_turns_the_camera(panel):
     hand, session = panel.hand, panel.session
     eye = session.ground.observer
@@ -287,19 +296,3 @@ def test_a_name_means_its_own_folder_only():
     assert name_of("/a/day1/IMG_1.jpg") == "day1/IMG_1.jpg"
     assert means("day1/img_1.JPG", "/a/day1/IMG_1.jpg") and means("IMG_1.jpg", "/a/day1/IMG_1.jpg")
     assert not means("day2/IMG_1.jpg", "/a/day1/IMG_1.jpg") and not means("G_1.jpg", "/a/day1/IMG_1.jpg")
-
-
-def test_a_landmark_in_the_sky_is_neither_edited_nor_lost(tmp_path):
-    """The panel rewrites the file of landmarks; the sun, which has no place on the map, stays in it."""
-    from skyline_viewshed.panel.model.aids import _write_landmarks
-
-    def feature(place, **values):
-        geometry = place and {"type": "Point", "coordinates": place}
-        return {"type": "Feature", "properties": {"photo": "a.jpg", "x": 4, "y": 5, **values}, "geometry": geometry}
-
-    sun, moon, summit = feature(None, body="sun"), feature([8.0, 46.5], body="moon"), feature([8.1, 46.6])
-    content = {"type": "FeatureCollection", "features": [sun, moon, summit]}
-    (tmp_path / "landmarks.geojson").write_text(json.dumps(content))
-    assert [mark.longitude_deg for mark in read_aids(tmp_path, "/d/a.jpg")[0]] == [8.1]
-    _write_landmarks(tmp_path, "/d/a.jpg", SimpleNamespace(landmarks=()))
-    assert json.loads((tmp_path / "landmarks.geojson").read_text())["features"] == [sun, moon]

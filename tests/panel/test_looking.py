@@ -35,7 +35,7 @@ def test_thumbnails_are_pictures(panel):
     assert len({image.pixel(x, y) for x in range(0, image.width(), 8) for y in range(0, image.height(), 8)}) > 10
 
 
-@pytest.mark.parametrize("number, kind", enumerate(KINDS))
+@pytest.mark.parametrize("number, kind", list(enumerate(KINDS)))
 def test_every_overlay_has_its_key(panel, number, kind):
     switch = panel.view.dock.switches[kind]
     before = switch.isChecked()

@@ -89,6 +89,21 @@ def test_flags_and_clouds_are_overcome_by_a_drag_and_a_snap(rescue, folder, name
     assert kept_error_deg(panel) < 1.0
 
 
+def test_one_click_on_the_moon_is_enough(rescue):
+    """The mountains stand where the elevation model does not have them, so that the skyline alone misleads."""
+    panel = rescue("mont-blanc", "hr_malatra_moonset.jpg")
+    hand = panel.hand
+    assert panel.status == "ambiguous" and abs(difference(hand.draft.pose.heading_deg, panel.truth.heading_deg)) > 1.5
+    hand.press("moon")
+    hand.click(922.0, 369.0)
+    hand.press("keep")
+    assert hand.steps == 3
+    hand.press("snap")
+    hand.settle()
+    assert "The skyline contradicts the landmarks" in hand.said  # and would take the answer 2 degrees away again
+    assert kept_error_deg(panel) < 1.0
+
+
 def test_a_photograph_of_unknown_lens_is_placed_by_two_landmarks(rescue, shared_data):
     panel = rescue("aletsch", "07861v.jpg")
     hand = panel.hand

@@ -22,3 +22,10 @@ def spread(result, shape):
 
 def overlap(a, b):
     return (a & b).sum() / max((a | b).sum(), 1)
+
+
+def directions(shape, cell_m, row, col):
+    """(azimuth [degrees], distance [m]) of every cell of a plane grid."""
+    down, right = np.mgrid[: shape[0], : shape[1]]
+    azimuth = np.degrees(np.arctan2(right - col, row - down)) % 360
+    return azimuth, np.hypot(down - row, right - col) * cell_m

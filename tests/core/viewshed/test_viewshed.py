@@ -1,5 +1,4 @@
-from threading import Lock, get_ident
-from time import sleep
+"""The whole viewshed against exact sight lines, closed forms and symmetries; see also its sectors and pieces."""
 
 import numpy as np
 import pytest
@@ -7,23 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference.landscapes import fractal, stand
 from reference.sight_lines import viewshed_by_lines
-from reference.views import UNKNOWN, look, overlap, spread
-from skyline_viewshed.core.base import threads
-from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, in_frame, project
-from skyline_viewshed.core.base.errors import Cancelled, ObserverOutsideDemError, UnusableDemError
-from skyline_viewshed.core.base.frame import tabulate_frame
-from skyline_viewshed.core.base.terrain import ArrayTerrain, Observer, Terrain, Window
-from skyline_viewshed.core.base.viewed import ArraySink, Sink
+from reference.views import UNKNOWN, directions, look, overlap, spread
+from skyline_viewshed.core.base.errors import ObserverOutsideDemError
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_profile
-from skyline_viewshed.core.viewshed import viewshed as viewsheds
-from skyline_viewshed.core.viewshed.viewshed import FullCircle, PackedSink, PhotoFrame, ViewshedOptions, Wedge, viewshed
-
-
-def directions(shape, cell_m, row, col):
-    """(azimuth [degrees], distance [m]) of every cell of a plane grid."""
-    down, right = np.mgrid[: shape[0], : shape[1]]
-    azimuth = np.degrees(np.arctan2(right - col, row - down)) % 360
-    return azimuth, np.hypot(down - row, right - col) * cell_m
+from skyline_viewshed.core.viewshed.viewshed import ViewshedOptions, viewshed
 
 
 @pytest.mark.parametrize(("row", "col"), [(40, 40), (40.3, 39.6), (0, 0), (12.5, 70.25), (80.4, 3)])
@@ -144,80 +130,6 @@ def test_turned_terrain_turns_the_viewshed(turns):
     assert (np.rot90(straight, turns) != turned).mean() < 1e-3  # cells on the diagonals change quarters
 
 
-WEDGES = {
-    "thin along a column": (0, 1.0),
-    "thin along a row": (90, 1.0),
-    "thin between": (17.3, 1.0),
-    "across a diagonal": (45, 60.0),
-    "across the diagonal before north": (315, 60.0),
-    "a little more west than east of north": (359.9, 60.0),
-    "half, cut along a row": (180, 180.0),
-    "half, cut along a column": (270, 180.0),
-    "half, cut along a diagonal": (135, 180.0),
-    "most, open to the south": (0, 300.0),
-    "most, open across a diagonal": (225, 300.0),
-    "most, open between": (17.3, 300.0),
-}
-
-
-@pytest.mark.parametrize(("heading", "width"), WEDGES.values(), ids=WEDGES)
-def test_a_wedge_is_the_circle_cut_by_azimuth(heading, width):
-    ground = fractal(101, seed=2)
-    circle = look(ground, 30.0, 50.3, 49.6, eye_height_m=30.0)
-    wedge = look(ground, 30.0, 50.3, 49.6, eye_height_m=30.0, sector=Wedge(heading, width))
-    azimuth, _ = directions(ground.shape, 30.0, 50.3, 49.6)
-    off = np.abs((azimuth - heading + 180) % 360 - 180)
-    inside, own = off < width / 2 - 1e-6, np.zeros(ground.shape, bool)
-    own[50, 50] = True
-    assert np.array_equal(wedge[inside], circle[inside])
-    assert not wedge[(off > width / 2 + 1e-6) & ~own].any()
-
-
-def test_wedge_edges_are_inclusive_and_the_observers_cell_is_seen():
-    values = look(np.zeros((21, 21)), 10.0, 10, 10, sector=Wedge(45.0, 90.0), curvature=False)
-    assert values[10, 10] == 1
-    assert (values[0:11, 10] == 1).all()
-    assert (values[10, 10:] == 1).all()
-    assert not values[11:].any()
-
-
-@pytest.mark.parametrize("pose", [Pose(30.0), Pose(350.0, -12.0, 4.0), Pose(200.0, 5.0, -10.0), Pose(90.0, -60.0)])
-def test_the_photo_frame_is_the_circle_cut_by_projection(pose):
-    ground, height = fractal(101, seed=7), 60.0
-    camera = Camera(400, 300, focal_of_fov_px(400, 60.0))
-    circle = look(ground, 30.0, 50, 50, eye_height_m=height) == 1
-    frame = look(ground, 30.0, 50, 50, eye_height_m=height, sector=PhotoFrame(camera, pose)) == 1
-    azimuth, distance = directions(ground.shape, 30.0, 50, 50)
-    distance[50, 50] = 1.0
-    rise = ground - (ground[50, 50] + height) - 0.87 * distance**2 / (2 * 6_371_000)
-    x, y = project(camera, pose, azimuth, np.degrees(np.arctan2(rise, distance)))
-    expected = circle & in_frame(camera, x, y)
-    expected[50, 50] = frame[50, 50] = False
-    on_the_edge = (np.abs(x + 0.5) < 0.05) | (np.abs(x - 399.5) < 0.05) | (np.abs(y + 0.5) < 0.05)
-    assert np.array_equal(expected[~on_the_edge], frame[~on_the_edge])
-    assert frame.sum() < circle.sum()
-
-
-def test_ground_above_the_photographs_own_skyline_is_not_claimed():
-    ground = fractal(101, seed=7)
-    camera, pose = Camera(400, 300, focal_of_fov_px(400, 60.0)), Pose(30.0, -5.0)
-    free = look(ground, 30.0, 50, 50, 60.0, sector=PhotoFrame(camera, pose)) == 1
-    skyline = np.full(400, 150.0)  # level with the optical axis, all that rises above -5 degrees is hidden
-    cut = look(ground, 30.0, 50, 50, 60.0, sector=PhotoFrame(camera, pose, skyline)) == 1
-    assert cut.sum() < free.sum()
-    assert not (cut & ~free).any()
-    unknown = look(ground, 30.0, 50, 50, 60.0, sector=PhotoFrame(camera, pose, np.full(400, np.nan))) == 1
-    assert np.array_equal(unknown, free)
-
-
-def test_the_near_limit_hides_nothing_but_is_not_claimed():
-    ground = fractal(101, seed=7)
-    whole, limited = look(ground, 30.0, 50, 50), look(ground, 30.0, 50, 50, min_distance_m=300.0)
-    _, distance = directions(ground.shape, 30.0, 50, 50)
-    assert not limited[distance < 300.0].any()
-    assert np.array_equal(whole[distance >= 300.0], limited[distance >= 300.0])
-
-
 def test_voids_and_what_only_they_could_hide_are_unknown():
     ground = np.zeros((101, 101), np.float32)
     ground[30:35, 40:61] = np.nan
@@ -232,77 +144,6 @@ def test_voids_and_what_only_they_could_hide_are_unknown():
     walled = look(ground, 10.0, 50, 50, eye_elevation_m=50.0, curvature=False)
     assert walled[10, 50] == 0
     assert (walled[30:35, 40:61] == UNKNOWN).all()
-
-
-def test_the_result_does_not_depend_on_the_piece_of_raster_that_is_at_hand():
-    """Only what lies between eye and target matters: cutting the DEM elsewhere changes nothing."""
-    ground = fractal(300, seed=12)
-    ground[200:205, 60:90] = np.nan
-    whole = look(ground, 30.0, 150, 150, 20.0, max_distance_m=2500.0, sector=Wedge(300.0, 80.0))
-    padded = np.full((700, 620), 9000.0, np.float32)
-    padded[220:520, 110:410] = ground
-    terrain, observer = stand(padded, 30.0, 370, 260, 20.0)
-    moved = viewshed(terrain, observer, Wedge(300.0, 80.0), ViewshedOptions(max_distance_m=2500.0))
-    assert np.array_equal(spread(moved, padded.shape)[220:520, 110:410], whole)
-
-
-def test_a_sink_takes_the_same_result_piece_by_piece():
-    class Pieces(Sink):
-        def __init__(self, window):
-            self.window, self.count = window, 0
-            self.whole = np.zeros((window.rows, window.cols), np.uint8)
-
-        def add(self, window, values):
-            self.count += 1
-            row, col = window.row - self.window.row, window.col - self.window.col
-            self.whole[row : row + window.rows, col : col + window.cols] |= values
-
-        def set(self, row, col, value):
-            self.whole[row - self.window.row, col - self.window.col] = value
-
-    made = []
-    terrain, observer = stand(fractal(600, seed=13), 30.0, 300, 310, 20.0)
-    result = viewshed(terrain, observer, sink=lambda window: made.append(Pieces(window)) or made[0])
-    assert result.values is None
-    assert made[0].count > 4
-    assert np.array_equal(made[0].whole, viewshed(terrain, observer).values)
-
-
-def test_the_packed_sink_holds_the_same_in_a_quarter_of_the_memory():
-    ground = fractal(300, seed=13)
-    ground[60:70, 100:111] = np.nan
-    terrain, observer = stand(ground, 30.0, 150.2, 161, 20.0)
-    options, sinks = ViewshedOptions(max_distance_m=3170.0), []
-    whole = viewshed(terrain, observer, Wedge(340.0, 130.0), options)
-    viewshed(terrain, observer, Wedge(340.0, 130.0), options, sink=lambda w: sinks.append(PackedSink(w)) or sinks[0])
-    window = whole.window
-    assert np.array_equal(sinks[0].read(window), whole.values)
-    part = Window(window.row + 7, window.col + 5, 20, 31)
-    assert np.array_equal(sinks[0].read(part), whole.values[7:27, 5:36])
-    assert set(np.unique(whole.values)) == {0, 1, UNKNOWN}
-
-
-class Bent(ArrayTerrain):
-    """Cells on a grid whose lines bend and whose scale drifts, as those of a geographic CRS do."""
-
-    def frame(self, longitude_deg, latitude_deg, radius_m):
-        col, row = self.pixel_of(longitude_deg, latitude_deg)
-
-        def to_pixel(east, north):
-            return col + (east + 1e-6 * north**2) / self.cell_m, row - north * (1 + 1e-6 * east) / self.cell_m
-
-        return tabulate_frame(longitude_deg, latitude_deg, to_pixel, radius_m)
-
-
-@pytest.mark.parametrize("grid", [ArrayTerrain, Bent])
-def test_dropping_hidden_blocks_changes_nothing(monkeypatch, grid):
-    from skyline_viewshed.core.viewshed import blocks
-
-    terrain, observer = stand(fractal(400, seed=14), 30.0, 210.3, 180.8, 5.0)
-    terrain = grid(terrain.elevation_m, 30.0)
-    quick = viewshed(terrain, observer).values
-    monkeypatch.setattr(blocks, "range_minimum", lambda values, first, last: np.full(len(first), -np.inf, np.float32))
-    assert np.array_equal(viewshed(terrain, observer).values, quick)
 
 
 @pytest.mark.parametrize(("row", "col"), [(0, 0), (60, 0), (-0.4, 30), (60.4, 60.5), (30.5, 30.5)])
@@ -323,82 +164,6 @@ def test_outside_the_dem_nothing_can_be_seen():
 def test_the_type_of_the_elevations_does_not_matter(dtype):
     ground = np.rint(fractal(101, seed=9))
     assert np.array_equal(look(ground.astype(dtype), 30.0, 50, 50), look(ground, 30.0, 50, 50))
-
-
-@pytest.mark.parametrize("kind", [np.uint8, np.float32])
-@pytest.mark.parametrize(
-    "sector", [FullCircle(), Wedge(340.0, 130.0), PhotoFrame(Camera(900, 600, 700.0), Pose(40, 2, 1))]
-)
-@pytest.mark.parametrize("grid", [ArrayTerrain, Bent])
-def test_the_result_is_the_same_to_the_last_bit_for_any_number_of_threads(monkeypatch, grid, kind, sector):
-    ground = fractal(301, seed=2)
-    ground[40:60, 150:170] = np.nan
-    terrain, observer = stand(ground, 30.0, 150.3, 120.7, 10.0)
-    terrain = grid(terrain.elevation_m, 30.0)
-    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
-    results = []
-    for count in (1, 2, 3, 4):
-        monkeypatch.setattr(threads, "_limit", [count])
-        results.append(viewshed(terrain, observer, sector, sink=lambda window: ArraySink(window, kind)).values)
-    assert results[0].any()
-    assert len({values.tobytes() for values in results}) == 1
-
-
-class Watched(Terrain):
-    """A terrain of which `look` sees every window before it is read."""
-
-    def __init__(self, terrain, look):
-        self.shape, self.terrain, self.look = terrain.shape, terrain, look
-
-    def read(self, window):
-        self.look(window)
-        return self.terrain.read(window)
-
-    def frame(self, *place):
-        return self.terrain.frame(*place)
-
-
-def test_threads_read_a_terrain_one_at_a_time(monkeypatch):
-    terrain, observer = stand(fractal(301, seed=2), 30.0, 150, 150, 10.0)
-    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
-    monkeypatch.setattr(threads, "_limit", [4])
-    busy, readers = Lock(), set()
-
-    def guard(_):
-        assert busy.acquire(blocking=False)
-        readers.add(get_ident())
-        sleep(0.01)
-        busy.release()
-
-    viewshed(Watched(terrain, guard), observer)
-    assert len(readers) > 1
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_an_error_of_the_terrain_reaches_the_caller(monkeypatch, count):
-    terrain, observer = stand(fractal(301, seed=2), 30.0, 150, 150, 10.0)
-    monkeypatch.setattr(viewsheds, "LEAST_CELLS", 0)
-    monkeypatch.setattr(threads, "_limit", [count])
-
-    def refuse(window):
-        if window.rows * window.cols > 100:
-            raise UnusableDemError("damaged")
-
-    with pytest.raises(UnusableDemError, match="damaged"):
-        viewshed(Watched(terrain, refuse), observer)
-
-
-def test_cancelling_stops_it():
-    class Stop:
-        def report(self, fraction):
-            pass
-
-        def cancelled(self):
-            return True
-
-    terrain, observer = stand(fractal(101, seed=1), 30.0, 50, 50)
-    with pytest.raises(Cancelled):
-        viewshed(terrain, observer, progress=Stop())
 
 
 @pytest.mark.parametrize(
@@ -422,25 +187,3 @@ def test_the_viewshed_ends_at_the_horizon():
     step = np.abs(np.diff(np.append(profile.distance_m, profile.distance_m[0]))) > 90
     near_jump |= step[azimuth.astype(int) % 360]
     assert (values[beyond & ~near_jump] == 1).mean() < 0.005
-
-
-def test_a_virtual_raster_of_ten_gigapixels_is_read_in_pieces_and_only_in_range():
-    class Endless(Terrain):
-        shape = (100_000, 100_000)
-        most = total = 0
-
-        def read(self, window):
-            self.most, self.total = max(self.most, window.rows * window.cols), self.total + window.rows * window.cols
-            row = np.arange(window.row, window.row + window.rows, dtype=np.float32)[:, None]
-            col = np.arange(window.col, window.col + window.cols, dtype=np.float32)
-            return 50 * np.sin(row / 300) * np.cos(col / 400) + np.float32(200)
-
-        def frame(self, longitude_deg, latitude_deg, radius_m):
-            return tabulate_frame(0, 0, lambda east, north: (5e4 + east / 10, 5e4 - north / 10), radius_m, size=3)
-
-    terrain = Endless()
-    result = viewshed(terrain, Observer(0, 0, 100.0), options=ViewshedOptions(max_distance_m=10_000.0))
-    assert result.values.shape == (2003, 2003)
-    assert result.visible.any()
-    assert terrain.most <= 256 * 2100
-    assert terrain.total < 1.5 * 2003**2
