@@ -201,7 +201,7 @@ def clock_from_skylines(
     # Only as many photographs are read as the search takes, spread over the walk; where one shows no skyline, its
     # neighbour within a minute may.
     order = spread_over_walk(times_s, options)
-    order += [index for index in range(len(times_s)) if index not in set(order)]
+    order += sorted(set(range(len(times_s))) - set(order))
     for count, index in enumerate(order):
         if len(times) == options.photos:
             break
