@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,13 +16,13 @@ from .horizon.horizon import HorizonOptions, horizon_profile
 from .io.photo import read_photo
 from .locate.fit import best_over_scales, curves_of
 from .match.geometry import HorizonCurve
-from .match.inputs import MatchInputs, eye_offsets_m
+from .match.inputs import eye_offsets_m
 from .match.likelihood import EvidenceStack
 from .match.posterior import table
-from .match.prior import CameraPrior, camera_prior
-from .match.refine import Objective, RefineOptions, refine
+from .match.prior import camera_prior
 from .match.robust import skyline_relief_deg
 from .match.search import SearchOptions, coarse_search
+from .searching import SkylineProblem
 from .skyline.evidence import SkylineOptions, skyline_evidence
 from .skyline.plausible import check_skyline
 from .track.clock import ClockOptions, solve_clock, spread_over_walk
@@ -38,32 +38,6 @@ LEAST_COLUMNS = 0.3
 SHARED_DEG = (1 / 1500, 1e-4)
 """Places closer than this share a horizon, for the coarse and the fine fit: about 75 m and 11 m [degrees]."""
 KEPT_HORIZONS = 4_000
-
-
-@dataclass(frozen=True, eq=False)
-class _View:
-    """A photograph's evidence, the lens of the reduced picture, and the search that suits its field of view."""
-
-    stack: EvidenceStack
-    prior: CameraPrior
-    search: SearchOptions
-
-    # parameters: the state of a fit
-    def climb(self, curves, trials, error_m, scale, stride):
-        """Fit the pose of each trial before its own horizon, as `best_over_scales` asks for it.
-
-        Parameters
-        ----------
-        curves : CurveSet
-            One horizon for each trial.
-        trials : (K, 5) array
-        error_m : float
-            Standard deviation of the places [m].
-        scale, stride : float, int
-            See `core.match.refine.refine`.
-        """
-        objective = Objective(self.stack, self.prior, curves, RefineOptions(), (), error_m)
-        return refine(objective, trials, scale, stride)
 
 
 class SkylineFit:
@@ -101,10 +75,10 @@ class SkylineFit:
         informative = EvidenceStack.informative_columns(evidence.probability)
         if len(informative) < LEAST_COLUMNS * evidence.probability.shape[1]:
             return False
-        stack = EvidenceStack(evidence.probability, leaves_frame=evidence.leaves_frame)
-        prior = MatchInputs(evidence, prior, None).reduced_prior  # type: ignore[arg-type]
-        search = CLOCK_SEARCH.for_picture(prior.camera.hfov_deg, skyline_relief_deg(stack, prior.camera))
-        self._views.append(_View(stack, prior, search))
+        problem = SkylineProblem(evidence, prior)
+        camera = problem.prior.camera
+        search = CLOCK_SEARCH.for_picture(camera.hfov_deg, skyline_relief_deg(problem.stack, camera))
+        self._views.append((problem, search))
         return True
 
     def __call__(self, number, place, kind):
@@ -131,19 +105,20 @@ class SkylineFit:
 
     def _coarse(self, number, horizons):
         """Log-likelihoods of the headings."""
-        view = self._views[number]
-        found = coarse_search(view.stack, view.prior.camera, [HorizonCurve(horizons[0])], view.search)[0]
+        problem, search = self._views[number]
+        found = coarse_search(problem.stack, problem.prior.camera, [HorizonCurve(horizons[0])], search)[0]
         return table()["temperature"] * found.score
 
     def _fine(self, number, horizons, error_m):
         """Log-likelihoods of the elevations of the eye, each with its best pose."""
-        view = self._views[number]
-        found = coarse_search(view.stack, view.prior.camera, [HorizonCurve(each) for each in horizons], view.search)
+        problem, search = self._views[number]
+        curves = [HorizonCurve(each) for each in horizons]
+        found = coarse_search(problem.stack, problem.prior.camera, curves, search)
         starts = np.concatenate([each.candidates for each in found])
         starts = np.column_stack([starts, np.zeros((len(starts), 2))])
         owner = np.concatenate([np.full(len(each.candidates), eye) for eye, each in enumerate(found)])
-        curves = curves_of([horizons[eye] for eye in owner])
-        _, score = best_over_scales(view, curves, starts, error_m, (CLOCK_SCALES, CLOCK_STRIDE))
+        before, finer = curves_of([horizons[eye] for eye in owner]), (CLOCK_SCALES, CLOCK_STRIDE)
+        _, score = best_over_scales(problem, before, starts, error_m, finer)
         best = np.full(len(horizons), -np.inf)
         np.maximum.at(best, owner, score)
         return table()["temperature"] * best
