@@ -6,7 +6,7 @@ from qgis.PyQt.QtCore import QTimer
 
 from ..algorithms.shared.elevation import DemSource, assigned_crs, layer_fault
 from ..algorithms.shared.i18n import tr
-from ..algorithms.shared.lost_crs import definition_of, raster_crs
+from ..algorithms.shared.lost_crs import raster_definition
 from .model import photo_layer
 from .model.faults import guarded
 from .model.session import DemHolder
@@ -105,7 +105,7 @@ class Layers:
             if fault:
                 self.say(fault)
             return
-        source = DemSource(layer.source(), 1, definition_of(raster_crs(layer)), assigned_crs(layer))
+        source = DemSource(layer.source(), 1, raster_definition(layer), assigned_crs(layer))
         self.session.set_dem(DemHolder(source))
 
     def select(self, fid):

@@ -10,7 +10,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsR
 
 from ...core.base.errors import TerrainError
 from .i18n import tr
-from .lost_crs import crs_of, definition_of, is_lost, raster_crs
+from .lost_crs import crs_of, is_lost, raster_definition
 from .parameters import dem_units
 from .raster_parameter import no_statistics_file
 
@@ -64,7 +64,7 @@ def dem_source(algorithm, parameters, context, name="DEM", band="BAND", unit="DE
         fault = layer_fault(layer)
         if fault:
             raise QgsProcessingException(fault)
-        assigned, definition = assigned_crs(layer), definition_of(raster_crs(layer))
+        assigned, definition = assigned_crs(layer), raster_definition(layer)
     number = max(algorithm.parameterAsInt(parameters, band, context), 1)
     unit = dem_units()[algorithm.parameterAsEnum(parameters, unit, context)][0]
     return DemSource(layer.source(), number, definition, assigned, reading_of(layer, number, unit))

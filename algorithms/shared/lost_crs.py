@@ -1,9 +1,9 @@
 """Coordinate reference systems of which QGIS keeps the name only.
 
-QGIS keeps each system that it has read and hands it to all who ask for it. The thread that read it first owns its
-definition: when that thread ends (QGIS ends idle ones after half a minute), a system without an authority's code is
-still valid, but its definition is empty, also in layers that were opened elsewhere. Layers in memory then have no
-system, and transformations leave coordinates as they are, both without an error.
+QGIS (3.22 to 3.44) keeps each system that it has read and hands it to all who ask for it. The thread that read it first
+owns its definition: when that thread ends (QGIS ends idle ones after half a minute), a system without an authority's
+code is still valid, but its definition is empty, also in layers that were opened elsewhere. Layers in memory then have
+no system, and transformations leave coordinates as they are, both without an error.
 """
 
 from __future__ import annotations
@@ -44,12 +44,29 @@ def raster_crs(layer):
     return QgsRasterLayer(layer.source(), "own", "gdal", QgsRasterLayer.LayerOptions(False)).crs()
 
 
+def raster_definition(layer):
+    """Definition of a raster layer's CRS.
+
+    Call it in the main thread, which does not end: read there first, the system stays whole in layers that other threads
+    make.
+    """
+    definition = definition_of(raster_crs(layer))
+    crs_of(definition)
+    return definition
+
+
+def loss(crs):
+    """Sentence if QGIS has lost the definition of a layer's system, else None."""
+    if not is_lost(crs):
+        return None
+    return tr(
+        "QGIS has lost the definition of the layer's coordinate reference system. Set the system in the layer's "
+        "properties again, or remove the layer from the project and add it again."
+    )
+
+
 def check_not_lost(crs):
     """Raise `QgsProcessingException` if QGIS has lost the definition of a system."""
-    if is_lost(crs):
-        raise QgsProcessingException(
-            tr(
-                "QGIS has lost the definition of the layer's coordinate reference system. Set the system in the "
-                "layer's properties again, or remove the layer from the project and add it again."
-            )
-        )
+    fault = loss(crs)
+    if fault:
+        raise QgsProcessingException(fault)

@@ -18,6 +18,7 @@ from qgis.core import (
 
 from ...algorithms.shared.fields import qgis_fields
 from ...algorithms.shared.i18n import tr
+from ...algorithms.shared.lost_crs import loss
 from ...algorithms.shared.map_places import transformed
 from ...algorithms.shared.monoplotting import MapFeatures, drawn_specs, point_specs
 from ...algorithms.shared.pixel_input import FeaturesByPhoto
@@ -144,6 +145,9 @@ def add_figure(layer, kind, geometry, values, crs):
     ------
     NotEditableError
     """
+    fault = loss(layer.crs())
+    if fault:
+        raise NotEditableError(fault)
     moved = None if geometry is None else _fitting(geometry, layer, crs)
     if moved is None:
         raise NotEditableError(tr("This shows no ground that the elevation model knows, so nothing was drawn."))

@@ -19,6 +19,7 @@ from ...algorithms.shared.elevation import layer_fault as raster_fault
 from ...algorithms.shared.fields import is_null, number_or_none
 from ...algorithms.shared.i18n import tr
 from ...algorithms.shared.layers import PATH_FIELDS, absolute_path, folders_of, label_of, position_of
+from ...algorithms.shared.lost_crs import loss
 from ...algorithms.shared.photo_points import POSE_FIELDS, PoseReading, photo_point, pose_values
 from ...core.base.camera import Pose
 
@@ -90,7 +91,7 @@ def layer_fault(layer):
         return tr("The layer has no field with the photographs' paths. Choose the result of Orient photos.")
     if not layer.crs().isValid():
         return tr("The point layer has no coordinate reference system. Assign the right one in the layer's properties.")
-    return None
+    return loss(layer.crs())
 
 
 def is_photo_layer(layer):

@@ -14,6 +14,7 @@ from qgis.core import (
 )
 
 from ...algorithms.shared.i18n import tr
+from ...algorithms.shared.lost_crs import is_lost
 from ...algorithms.shared.styling import STYLES
 from .faults import guarded
 
@@ -133,7 +134,7 @@ def ground_in_view(project, item):
     for layer in project.mapLayers().values():
         if not isinstance(layer, QgsVectorLayer) or layer.fields().lookupField("photo") < 0 or not item.path:
             continue
-        if layer.geometryType() != QgsWkbTypes.GeometryType.PolygonGeometry:
+        if layer.geometryType() != QgsWkbTypes.GeometryType.PolygonGeometry or is_lost(layer.crs()):
             continue
         expression = QgsExpression.createFieldEqualityExpression("photo", item.path)
         feature = next(layer.getFeatures(QgsFeatureRequest().setFilterExpression(expression)), None)
