@@ -216,20 +216,11 @@ def track():
 
 
 def layer(kind, fields, rows):
-    """Layer in memory from rows of (WKT or None, attributes)."""
-    from qgis.core import QgsFeature, QgsField, QgsGeometry, QgsProject, QgsVectorLayer
+    """Layer in memory from rows of (WKT or None, attributes), in the project."""
+    from map_layers import memory_layer
+    from qgis.core import QgsProject
 
-    made = QgsVectorLayer(kind, "layer", "memory")
-    made.dataProvider().addAttributes([QgsField(name, type_) for name, type_ in fields])
-    made.updateFields()
-    for wkt, attributes in rows:
-        feature = QgsFeature(made.fields())
-        if wkt:
-            feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature.setAttributes(attributes)
-        made.dataProvider().addFeature(feature)
-    QgsProject.instance().addMapLayer(made)
-    return made
+    return QgsProject.instance().addMapLayer(memory_layer(kind, fields, rows, crs=""))
 
 
 if __name__ == "__main__":

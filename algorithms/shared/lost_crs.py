@@ -47,8 +47,8 @@ def raster_crs(layer):
 def raster_definition(layer):
     """Definition of a raster layer's CRS.
 
-    Call it in the main thread, which does not end: read there first, the system stays whole in layers that other threads
-    make.
+    Call it in the main thread, which does not end: read there first, the system stays whole in layers that other
+    threads make.
     """
     definition = definition_of(raster_crs(layer))
     crs_of(definition)

@@ -8,9 +8,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from map_layers import REACH_M, memory_layer
 from qgis.core import (
     QgsFeature,
-    QgsField,
     QgsGeometry,
     QgsProcessingContext,
     QgsProcessingException,
@@ -27,22 +27,7 @@ from skyline_viewshed.algorithms.shared.pixel_input import FeaturesByPhoto, _of_
 from skyline_viewshed.algorithms.shared.placing import Placing
 from skyline_viewshed.core.base.pixel_features import PixelFeature
 
-REACH_M = 12_000.0
 TEXT, REAL, WHOLE = QVariant.String, QVariant.Double, QVariant.Int
-
-
-def layer_of(kind, fields, rows, crs="EPSG:4326"):
-    """Memory layer from rows of (WKT or None, attributes)."""
-    layer = QgsVectorLayer(f"{kind}?crs={crs}", "layer", "memory")
-    layer.dataProvider().addAttributes([QgsField(name, type_) for name, type_ in fields])
-    layer.updateFields()
-    for wkt, attributes in rows:
-        feature = QgsFeature(layer.fields())
-        if wkt:
-            feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature.setAttributes(attributes)
-        layer.dataProvider().addFeature(feature)
-    return layer
 
 
 def oriented(scene, *names, path=None, **more):
@@ -59,7 +44,7 @@ def oriented(scene, *names, path=None, **more):
             pose.roll_deg,
         ]
         rows.append((f"Point({place[0]!r} {place[1]!r})", [*values, scene.hfov_deg, *more.values()]))
-    return layer_of("Point", [("photo", TEXT), ("status", TEXT), *((name, REAL) for name in fields)], rows)
+    return memory_layer("Point", [("photo", TEXT), ("status", TEXT), *((name, REAL) for name in fields)], rows)
 
 
 # Places
@@ -87,7 +72,7 @@ def test_a_point_without_a_place_gets_that_of_its_photo(qgis_app, wkb, crs, show
 
 
 def test_a_camera_has_no_place_between_several_points(qgis_app):
-    layer = layer_of("MultiPoint", [], [("MultiPoint((8 46),(8.2 46))", []), ("MultiPoint((8 46),(8 46))", [])])
+    layer = memory_layer("MultiPoint", [], [("MultiPoint((8 46),(8.2 46))", []), ("MultiPoint((8 46),(8 46))", [])])
     transform = wgs84_transform(SimpleNamespace(sourceCrs=layer.crs), QgsProcessingContext())
     assert [position_of(f, transform) for f in layer.getFeatures()] == [(None, None), (8.0, 46.0)]
 
@@ -96,7 +81,7 @@ def test_a_camera_has_no_place_between_several_points(qgis_app):
 
 
 def column_of(fields, chosen="photo"):
-    layer = layer_of("Point", fields, [])
+    layer = memory_layer("Point", fields, [])
     it = SimpleNamespace(parameterAsString=lambda *_: chosen)
     return path_column(it, {}, None, layer, "PHOTO_FIELD")
 
@@ -135,7 +120,7 @@ CLASHES = [
 
 def written(algorithm, tmp_path, suffix, fields, rows):
     it, path = algorithm("orientphotos"), str(tmp_path / f"out.{suffix}")
-    layer = layer_of("Point", fields, [])
+    layer = memory_layer("Point", fields, [])
     features = [(QgsGeometry.fromWkt("Point(8 46)"), values) for values in rows]
     kind = layer.fields(), QgsWkbTypes.Type.Point, layer.crs()
     rehearse(it, {"OUTPUT": path}, "OUTPUT", QgsProcessingContext(), kind)
@@ -209,7 +194,7 @@ def mixed_and_separate(scene, path):
     mixed = QgsVectorLayer(str(path), "mixed", "ogr")
     assert mixed.featureCount() == 1
     kinds = ("Point", "LineString", "Polygon")
-    return mixed, [layer_of(kind, fields, [(part, [kind, None])]) for kind, part in zip(kinds, parts)]
+    return mixed, [memory_layer(kind, fields, [(part, [kind, None])]) for kind, part in zip(kinds, parts)]
 
 
 def _write_collection(path, wkt):
@@ -277,8 +262,8 @@ def test_hints_for_repeated_names_need_their_folders(run, scene, tmp_path):
         shutil.copy(scene.folder / "north.jpg", tmp_path / folder / "north.jpg")
     x, y = scene.positions["north"]
     rows = [(f"Point({x} {y})", [str(tmp_path / folder / "north.jpg")]) for folder in ("day1", "day2")]
-    points = layer_of("Point", [("photo", TEXT)], rows)
-    table = layer_of(
+    points = memory_layer("Point", [("photo", TEXT)], rows)
+    table = memory_layer(
         "Point", [("photo", TEXT), ("x", REAL), ("y", REAL)], [(f"Point({x} {y + 0.03})", ["north.jpg", 4, 5])]
     )
     with pytest.raises(QgsProcessingException, match="LANDMARKS: several photos have the name north.jpg"):
@@ -288,14 +273,14 @@ def test_hints_for_repeated_names_need_their_folders(run, scene, tmp_path):
 def test_the_sun_and_the_moon_are_landmarks_without_a_map_point(run, scene, tmp_path):
     """The scene's photo has no time, which is told; another word in the field is refused before the first photo."""
     x, y = scene.positions["north"]
-    points = layer_of("Point", [("photo", TEXT)], [(f"Point({x} {y})", [str(scene.folder / "north.jpg")])])
+    points = memory_layer("Point", [("photo", TEXT)], [(f"Point({x} {y})", [str(scene.folder / "north.jpg")])])
     fields = [("photo", TEXT), ("x", REAL), ("y", REAL), ("body", TEXT)]
     plain = {"INPUT": points, "DEM": str(scene.dem), "OUTPUT": "memory:"}
-    moon = layer_of("Point", fields, [(None, ["north.jpg", 400, 20, "Moon"])])
+    moon = memory_layer("Point", fields, [(None, ["north.jpg", 400, 20, "Moon"])])
     results, _ = run("orientphotos", {**plain, "LANDMARKS": moon})
     (row,) = results["OUTPUT"].getFeatures()
     assert row["status"] == "failed" and "does not record its time with a time zone" in row["message"]
-    comet = layer_of("Point", fields, [(None, ["north.jpg", 400, 20, "comet"])])
+    comet = memory_layer("Point", fields, [(None, ["north.jpg", 400, 20, "comet"])])
     with pytest.raises(QgsProcessingException, match="the field body says comet; it may say sun or moon"):
         run("orientphotos", {**plain, "LANDMARKS": comet})
 
@@ -319,13 +304,13 @@ def test_pixels_of_a_portrait_drawn_in_qgis_are_turned_and_come_back(run, scene,
     """QGIS shows a JPEG as it is stored; without the rotation the place would be another one."""
     base = {"DEM": str(scene.dem), "MAX_DISTANCE": REACH_M}
     fields = [("photo", TEXT)]
-    upright = layer_of("Point", fields, [("Point(500.5 -450.5)", ["north.jpg"])])
+    upright = memory_layer("Point", fields, [("Point(500.5 -450.5)", ["north.jpg"])])
     truth, _ = run("pixeltomap", {**base, "INPUT": oriented(scene, "north"), "PIXELS": upright, "OUTPUT": "memory:"})
     (truth,) = truth["OUTPUT"].getFeatures()
 
     turned = oriented(scene, "north", path=portrait)
     # Orientation 6 moves the stored (x, y) to (799 - y, x) on the upright picture of 800 x 600.
-    drawn = layer_of("Point", fields, [("Point(450.5 -299.5)", ["north.jpg"])])
+    drawn = memory_layer("Point", fields, [("Point(450.5 -299.5)", ["north.jpg"])])
     results, feedback = run("pixeltomap", {**base, "INPUT": turned, "PIXELS": drawn, "OUTPUT": "memory:"})
     (found,) = results["OUTPUT"].getFeatures()
     assert (found["x_px"], found["y_px"]) == (500, 450)
