@@ -1,10 +1,15 @@
 """Is a run linear in photographs and flat in memory? The same photographs at jittered places over a DEM of tiles.
 
     python benchmarks/bench_scale.py [--sizes 100,200,400] [--pixels 800] [--data ../shared/data]
+    python benchmarks/bench_scale.py --archive FOLDER [--sizes 10000] [--workers 2]
 
 Each size is a process of its own, which keeps no answer. The DEM is cut into 100 tiles that a VRT joins, and the
 photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own. Prints figures for
 docs/scale.md; processor times are more reliable than wall times on a machine with other work.
+
+With `--archive` one run of the last size works as an archive's does: in worker processes, with a result file for each
+chunk, so that it may be stopped at any time, and the same command goes on. `FOLDER/log.csv` gets a line for every
+hundred photographs, and the points are joined to `FOLDER/points.gpkg` at the end. Linux only (it reads /proc).
 """
 
 from __future__ import annotations
@@ -22,6 +27,9 @@ import numpy as np
 import skyline_viewshed as sv
 from osgeo import gdal
 from PIL import Image
+from skyline_viewshed.core.cluster import RowsOfChunk, rows_with_files
+from skyline_viewshed.core.io.vector import point_fields, write_points
+from skyline_viewshed.core.many import OrientJob
 
 DATA = Path(os.environ.get("SKYLINE_DATA", Path(__file__).resolve().parents[2] / "shared" / "data"))
 TILES = 10
@@ -82,22 +90,86 @@ def run(folder, count):
     )
 
 
+class Log:
+    """`Progress` that writes a line for every hundred photographs: seconds, processor seconds, and memory so far."""
+
+    def __init__(self, path, count):
+        self.path, self.count, self.started, self.next = path, count, time.monotonic(), 0
+        if not path.exists():
+            path.write_text("time,photographs of this run,wall s,CPU s,memory MB,largest worker MB\n", encoding="utf-8")
+
+    def report(self, fraction):
+        done = round(fraction * self.count)
+        if done < self.next:
+            return
+        self.next = done + 100
+        used = [usage_of(process) for process in ("self", *workers_of(os.getpid()))]
+        line = [time.strftime("%F %T"), done, f"{time.monotonic() - self.started:.0f}"]
+        line += [f"{sum(cpu for cpu, _ in used):.0f}", f"{used[0][1]:.0f}", f"{max(mb for _, mb in used[1:] or used):.0f}"]
+        with open(self.path, "a", encoding="utf-8") as file:
+            file.write(",".join(map(str, line)) + "\n")
+
+    def cancelled(self):
+        return False
+
+
+def workers_of(process):
+    """Numbers of a process's children."""
+    return Path(f"/proc/{process}/task/{process}/children").read_text(encoding="utf-8").split()
+
+
+def usage_of(process):
+    """Processor seconds and largest memory [MB] of a running process, without its children."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+        status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    except OSError:  # it has ended
+        return 0.0, 0.0
+    kilobytes = int(status.split("VmHWM:")[1].split()[0])
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK"), kilobytes / 1024
+
+
+def archive(folder, count, workers):
+    """Orient `count` photographs with a result file for each chunk, and join them; go on where an earlier run ended."""
+    photos = requests([str(path) for path in sorted(folder.glob("*.jpg"))], count)
+    job = OrientJob(sv.open_dem(folder / "tiles.vrt"), sv.OrientOptions())
+    tasks, work = [(photo, None) for photo in photos], RowsOfChunk(job, job.options.horizon.max_distance_m)
+    log = Log(folder / "log.csv", count)
+    rows = list(rows_with_files(work, tasks, folder / "chunks", workers=workers, progress=log))
+    write_points(folder / "points.gpkg", point_fields(), rows)
+    statuses = [row.values["status"] for row in rows]
+    print(len(rows), ", ".join(f"{statuses.count(name)} {name}" for name in sorted(set(statuses))))
+
+
+def prepare(folder, given):
+    """Write tiles and reduced photographs."""
+    make_tiles(given.data / "khumbu-trek" / "dem" / "dem.tif", folder)
+    for path in sv.list_photos(given.data / "khumbu-trek" / "photos"):
+        reduced(path, folder, given.pixels)
+
+
 def main():
     """Prepare files and run each size in a process of its own."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sizes", default="100,200,400")
     parser.add_argument("--pixels", type=int, default=800)
     parser.add_argument("--data", type=Path, default=DATA)
+    parser.add_argument("--archive", type=Path, help="keep all in this folder, and go on with what lies there")
+    parser.add_argument("--workers", type=int, default=2, help="with --archive")
     parser.add_argument("--folder", type=Path, help="used by the program itself")
     given = parser.parse_args()
+    if given.archive:
+        if not (given.archive / "tiles.vrt").exists():
+            given.archive.mkdir(parents=True, exist_ok=True)
+            prepare(given.archive, given)
+        archive(given.archive, int(given.sizes.split(",")[-1]), given.workers)
+        return
     if given.folder:
         run(given.folder, int(given.sizes))
         return
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        make_tiles(given.data / "khumbu-trek" / "dem" / "dem.tif", folder)
-        for path in sv.list_photos(given.data / "khumbu-trek" / "photos"):
-            reduced(path, folder, given.pixels)
+        prepare(folder, given)
         print("| photographs | CPU s | CPU s each | memory MB | wall s | statuses |", "| --- " * 6 + "|", sep="\n")
         for size in given.sizes.split(","):
             subprocess.run([sys.executable, __file__, "--folder", str(folder), "--sizes", size], check=True)

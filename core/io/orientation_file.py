@@ -25,7 +25,8 @@ from ..base.uncertainty import PoseUncertainty
 from .file_state import file_state
 
 CORE = Path(__file__).resolve().parent.parent
-PROGRAM = (".py", ".json", ".txt")
+PROGRAM = (".py", ".json", ".txt", ".npz")
+"""Files on which answers depend: code, tables, and the sky network."""
 KINDS = {
     kind.__name__: kind
     for kind in (

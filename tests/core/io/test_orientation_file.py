@@ -235,9 +235,15 @@ def test_another_version_of_the_program_changes_the_mark(inputs, tmp_path, monke
     marks = {orientation_mark(*inputs)}
     (tmp_path / "core").mkdir()
     monkeypatch.setattr(orientation_file, "CORE", tmp_path / "core")
-    for name in ("module.py", "weights.json"):
+    for name in ("module.py", "weights.json", "network.npz"):
         (tmp_path / "core" / name).write_text("1")
         orientation_file._program.cache_clear()
         marks.add(orientation_mark(*inputs))
     orientation_file._program.cache_clear()
-    assert len(marks) == 3
+    assert len(marks) == 4
+
+
+def test_every_table_of_the_program_counts():
+    kinds = {path.suffix for path in orientation_file.CORE.rglob("*") if path.is_file()}
+    # What reports look like does not change an answer; Python writes .pyc itself.
+    assert kinds - {".css", ".html", ".js", ".pyc"} == set(orientation_file.PROGRAM)
