@@ -27,7 +27,7 @@ import numpy as np
 import skyline_viewshed as sv
 from osgeo import gdal
 from PIL import Image
-from skyline_viewshed.core.cluster import RowsOfChunk, rows_with_files
+from skyline_viewshed.core.cluster import CHUNK, RowsOfChunk, rows_with_files
 from skyline_viewshed.core.io.vector import point_fields, write_points
 from skyline_viewshed.core.many import OrientJob
 
@@ -99,17 +99,19 @@ class Log:
             path.write_text("time,photographs of this run,wall s,CPU s,memory MB,largest worker MB\n", encoding="utf-8")
 
     def report(self, fraction):
+        """Write a line if another hundred are done."""
         done = round(fraction * self.count)
         if done < self.next:
             return
         self.next = done + 100
         used = [usage_of(process) for process in ("self", *workers_of(os.getpid()))]
-        line = [time.strftime("%F %T"), done, f"{time.monotonic() - self.started:.0f}"]
-        line += [f"{sum(cpu for cpu, _ in used):.0f}", f"{used[0][1]:.0f}", f"{max(mb for _, mb in used[1:] or used):.0f}"]
+        figures = [done, time.monotonic() - self.started, sum(cpu for cpu, _ in used), used[0][1]]
+        figures.append(max(memory for _, memory in used[1:] or used))
         with open(self.path, "a", encoding="utf-8") as file:
-            file.write(",".join(map(str, line)) + "\n")
+            file.write(",".join([time.strftime("%F %T"), *(f"{figure:.0f}" for figure in figures)]) + "\n")
 
     def cancelled(self):
+        """Go on to the end."""
         return False
 
 
@@ -134,7 +136,7 @@ def archive(folder, count, workers):
     photos = requests([str(path) for path in sorted(folder.glob("*.jpg"))], count)
     job = OrientJob(sv.open_dem(folder / "tiles.vrt"), sv.OrientOptions())
     tasks, work = [(photo, None) for photo in photos], RowsOfChunk(job, job.options.horizon.max_distance_m)
-    log = Log(folder / "log.csv", count)
+    log = Log(folder / "log.csv", count - CHUNK * len(list(folder.glob("chunks/*.json"))))
     rows = list(rows_with_files(work, tasks, folder / "chunks", workers=workers, progress=log))
     write_points(folder / "points.gpkg", point_fields(), rows)
     statuses = [row.values["status"] for row in rows]
