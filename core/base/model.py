@@ -114,8 +114,7 @@ class SkylineEvidence:
     Attributes
     ----------
     probability : (h, w) float32 array
-        p(first terrain row = y | column); each column sums to 1 minus its `leaves_frame`. A column without
-        information is flat.
+        p(first terrain row = y | column), flat without information; each column sums to 1 minus its `leaves_frame`.
     best : Skyline
         The most likely continuous line on the reduced picture, for drawing and for the table.
     width_px, height_px : int
@@ -130,6 +129,8 @@ class SkylineEvidence:
         Probability that terrain fills the column, so that its skyline lies above the picture; None if 0 everywhere.
     thumbnail : (h', w', 3) float32 array or None
         Strongly reduced picture, RGB 0 to 255, NaN where it was excluded; used as second evidence.
+    sky_map : (h', w') float32 array or None
+        Probability of sky by the sky network, NaN where the picture was excluded; used as second evidence.
     rival : SkylineEvidence or None
         Evidence above the best line, in case that line is a crest before farther terrain; None if there is little.
     """
@@ -143,6 +144,7 @@ class SkylineEvidence:
     ridge_score: np.ndarray | None = None
     leaves_frame: np.ndarray | None = None
     thumbnail: np.ndarray | None = None
+    sky_map: np.ndarray | None = None
     rival: SkylineEvidence | None = None
 
 
@@ -267,8 +269,7 @@ class HorizonProfile:
     elevation_deg, distance_m : (A,) arrays
         Elevation angle of the horizon, up positive [degrees], and ground distance of its point [m]; NaN where unknown.
     clipped : (A,) bool array
-        True where the DEM ends before `max_distance_m` and terrain beyond its edge could be higher, so that the
-        horizon is a lower bound.
+        The horizon is a lower bound: the DEM ends before `max_distance_m`, and terrain beyond could be higher.
     void : (A,) bool array
         True where cells without data lie along the ray and may contain a higher horizon.
     eye_elevation_m, cell_m : float

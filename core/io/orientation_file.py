@@ -27,6 +27,8 @@ from .file_state import file_state
 CORE = Path(__file__).resolve().parent.parent
 PROGRAM = (".py", ".json", ".txt", ".npz")
 """Files on which answers depend: code, tables, and the sky network."""
+NOT_DRAWN = "sky_score", "ridge_score", "sky_map", "rival"
+"""Parts of the evidence that the report does not draw."""
 KINDS = {
     kind.__name__: kind
     for kind in (
@@ -66,7 +68,7 @@ def _program():
 def packed(oriented, mark):
     """Give the content of the file for one photograph's orientation as bytes.
 
-    Of the evidence only what the report draws is kept, because the pixel scores would double the size.
+    Of the evidence only what the report draws is kept, because the rest would double the size.
 
     Parameters
     ----------
@@ -75,7 +77,7 @@ def packed(oriented, mark):
         Fingerprint from `orientation_mark`.
     """
     if oriented.evidence is not None:
-        oriented = replace(oriented, evidence=replace(oriented.evidence, sky_score=None, ridge_score=None, rival=None))
+        oriented = replace(oriented, evidence=replace(oriented.evidence, **dict.fromkeys(NOT_DRAWN)))
     arrays = {}
     tree = {"mark": mark, "photo": _plain(oriented, arrays)}
     target = io.BytesIO()

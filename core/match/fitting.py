@@ -10,17 +10,30 @@ from ..base.angles import wrap_360
 from ..base.curves import distinct_headings
 from ..base.progress import subtask
 from .answers import Fits
-from .inner import InnerEvidence
 from .posterior import table
 from .refine import Objective, refine
+from .second import InnerEvidence, SideEvidence
 
 
 @dataclass(frozen=True, eq=False)
 class Scorer:
-    """How trials are scored under one hypothesis of the eye: by the skyline, the second evidence and the prior."""
+    """How trials are scored under one hypothesis of the eye.
+
+    Attributes
+    ----------
+    objective : Objective
+        The skyline.
+    second : InnerEvidence
+        The picture below the horizon.
+    sides : SideEvidence
+        Sky and ground on the wrong sides of the horizon.
+    prior : float
+        Of the eye.
+    """
 
     objective: Objective
     second: InnerEvidence
+    sides: SideEvidence
     prior: float
 
 
@@ -70,20 +83,22 @@ def fit(scorers, starts, belief, options, progress):
 
 
 def _with_second_evidence(fits, scorers, options):
-    """Add the evidence from the inside of the picture to the scores, and sort the fits by them.
+    """Add the evidence from either side of the skyline to the scores, and sort the fits by them.
 
-    With the probability `second_misled` that evidence is misleading (snow, cloud shadow, forest) and carries no
-    information. This bounds the weight that it can have for one answer against another, so that it decides between
-    answers that the skyline leaves open and never overrules a clear skyline.
+    With the probability `second_misled` the evidence from the inside of the picture is misleading (snow, cloud shadow,
+    forest) and carries no information. This bounds the weight that it can have for one answer against another, so that
+    it decides between answers that the skyline leaves open and never overrules a clear skyline. That of the two sides
+    is bounded by itself; only differences between the answers count.
     """
-    inside = np.zeros(len(fits.score))
+    inside, sides = np.zeros(len(fits.score)), np.zeros(len(fits.score))
     for index, scorer in enumerate(scorers):
         own = fits.eye == index
-        if scorer.second and own.any():
+        if own.any():
             inside[own] = scorer.second.score(fits.trials[own])
+            sides[own] = scorer.sides.score(fits.trials[own])
     worth, misled = table()["temperature"], options.second_misled
-    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) / worth
-    fits = replace(fits, score=fits.score + likelihood)
+    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) + sides - sides.max()
+    fits = replace(fits, score=fits.score + likelihood / worth)
     return fits.take(np.argsort(-fits.score, kind="stable"))
 
 

@@ -101,7 +101,8 @@ class MatchInputs:
 def _mirrored(evidence):
     """Evidence of the mirror image of a picture, without its rival."""
     best, (top, bottom, left, right) = evidence.best, evidence.crop
-    maps = {name: getattr(evidence, name) for name in ("probability", "sky_score", "ridge_score", "thumbnail")}
+    names = "probability", "sky_score", "ridge_score", "thumbnail", "sky_map"
+    maps = {name: getattr(evidence, name) for name in names}
     leaves = evidence.leaves_frame
     return replace(
         evidence,

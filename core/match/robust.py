@@ -20,7 +20,6 @@ from .finding import examine, pose_uncertainty, relief_px
 from .fitting import Scorer, fit
 from .geometry import HorizonCurve, lens_of, pose_of
 from .ground import GroundMatchOptions
-from .inner import InnerEvidence
 from .landmarks import landmark_notes, scale_landmarks, starting_pose
 from .likelihood import EDGE_ROW, EvidenceStack, LikelihoodOptions
 from .notes import BEHIND_NOTE, HINT_MESSAGE, MIRROR_MESSAGE, compass_note, edge_notes, refusal
@@ -29,6 +28,7 @@ from .prior import log_ratio
 from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
+from .second import InnerEvidence, SideEvidence, SideOptions
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    likelihood, search, refine, ridges, ground, posterior
+    likelihood, search, refine, ridges, ground, sides, posterior
         Options of the stages.
     short_scales : tuple of float
         Tolerances of the short fits, as multiples of the expected tolerance. The first is wide enough to converge and
@@ -58,6 +58,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
+    sides: SideOptions = field(default_factory=SideOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     short_scales: tuple = (3.0, 1.0, 0.5, 0.15)
     full_fits: int = 14
@@ -235,6 +236,7 @@ def _fitted(inputs, objectives, coarse, options, progress):
         Scorer(
             objective,
             InnerEvidence(objective, inputs.evidence, eye.inner, options),
+            SideEvidence(objective, inputs.evidence.sky_map, options.sides),
             eye.log_prior / table()["temperature"],
         )
         for objective, eye in zip(objectives, inputs.eyes)

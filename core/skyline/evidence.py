@@ -15,12 +15,14 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+from scipy.special import expit
 
 from ..base import imaging
 from ..base.errors import SkylineNotFoundError
 from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
 from .appearance import EDGE_SIGMAS_PX, measure
+from .border import find_crop
 from .colour import learn_sky, relearn_sky
 from .features import boundary_features, log_probability, means_above_below, normalised
 from .network import SOFTNESS, resized, row_probability, sky_log_odds
@@ -44,17 +46,11 @@ RIVAL_LEAST = 0.02
 RIVAL_SHARE = 0.2
 """A rival line exists if it holds that probability in at least this share of the columns."""
 
+SKY_MAP_PX = 128
+"""Long side of the map of sky, which is what the network resolves [pixels]."""
+
 NOWHERE = -100.0
 """Log-score of a row that is ruled out."""
-
-FRAME_TOLERANCE = 24.0
-"""Largest deviation of a frame's pixels from its colour, in any channel [grey levels]."""
-
-DEEPEST_FRAME_SHARE = 0.3
-"""Largest share of the picture that one side of a frame can take."""
-
-FRAME_LEVELS = (40.0, 215.0)
-"""Frames are dark or bright: every channel below the first or above the second [grey levels]."""
 
 
 @dataclass(frozen=True)
@@ -151,11 +147,13 @@ def skyline_evidence(pixels, options=SkylineOptions(), width_px=None, height_px=
         sky_score=_framed(ratio, crop, reduced.shape, 0),
         ridge_score=_framed(_ridges(appearance, probability), crop, reduced.shape, 0),
         thumbnail=imaging.thumbnail(reduced, crop),
+        sky_map=None if log_odds is None else _sky_map(log_odds, crop, reduced.shape),
     )
     rival = _rival(edges, probability, line, options)  # the network takes a pale range for sky
     if rival is None:
         return evidence
-    return replace(evidence, rival=replace(evidence, **_laid_out(appearance, *rival, crop, reduced.shape)))
+    laid_out = _laid_out(appearance, *rival, crop, reduced.shape)
+    return replace(evidence, rival=replace(evidence, sky_map=None, **laid_out))
 
 
 def _first_colours(log_odds, appearance, options):
@@ -222,41 +220,6 @@ def _reduce(pixels, work_px):
     return imaging.shrink_to(pixels[..., :3], work_px)
 
 
-def find_crop(rgb):
-    """Width of the frame on each side of an RGB picture, (top, bottom, left, right) [pixels]; zeros if none."""
-    rgb = np.asarray(rgb, np.float32)
-    height, width = rgb.shape[:2]
-    if min(height, width) < 32:
-        return 0, 0, 0, 0
-    ring = np.concatenate([rgb[0], rgb[-1], rgb[:, 0], rgb[:, -1]])
-    colour = np.median(ring, 0)
-    if not ((colour < FRAME_LEVELS[0]).all() or (colour > FRAME_LEVELS[1]).all()):
-        return 0, 0, 0, 0
-    is_frame = np.abs(rgb - colour).max(2) <= FRAME_TOLERANCE
-    left, right = _clean_depth(is_frame.mean(0)), _clean_depth(is_frame.mean(0)[::-1])
-    top, bottom = _clean_depth(is_frame.mean(1)), _clean_depth(is_frame.mean(1)[::-1])
-    if left and right:
-        inner = is_frame[:, left : width - right].mean(1)
-        return _depth(inner), _depth(inner[::-1]), left, right
-    if top and bottom:
-        return top, bottom, 0, 0
-    return 0, 0, 0, 0
-
-
-def _depth(share):
-    """Lines before fewer than half the pixels have the frame's colour (letters of a caption cover less than half)."""
-    ended = share < 0.5
-    depth = int(ended.argmax()) if ended.any() else 0
-    return depth if depth <= DEEPEST_FRAME_SHARE * len(share) else 0
-
-
-def _clean_depth(share):
-    """`_depth` of a side that is pure frame from its first line on and ends within three lines; else 0."""
-    depth = _depth(share)
-    pure = depth - 2 if depth > 2 else depth
-    return depth if depth and share[:pure].min(initial=1.0) >= 0.97 else 0
-
-
 def _cut_ridges_apart(probability):
     """Probability of the rows inside the frame, and the probability per column that the ridge leaves it (row 0)."""
     inside = probability.copy()
@@ -286,6 +249,14 @@ def _ridges(appearance, probability):
     above, below = means_above_below(strength, 24)
     standing_out = np.log((strength + 0.2) / ((above + below) / 2 + 0.2))
     return np.maximum(standing_out, 0) * np.clip(probability.cumsum(0), 0, 1)
+
+
+def _sky_map(log_odds, crop, shape):
+    """Probability of sky, as coarse as the network gives it, with NaN where the picture was cut off."""
+    top, bottom, left, right = crop
+    whole = np.full(shape[:2], np.nan, np.float32)
+    whole[top : shape[0] - bottom, left : shape[1] - right] = expit(log_odds)
+    return imaging.shrink_to(whole, SKY_MAP_PX)
 
 
 def _framed(inner, crop, shape, rows_outside=None):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from skyline_viewshed.core.base import imaging
 from skyline_viewshed.core.base.errors import SkylineNotFoundError
-from skyline_viewshed.core.skyline.evidence import SkylineOptions, find_crop, shipped_weights, skyline_evidence
+from skyline_viewshed.core.skyline.evidence import SkylineOptions, shipped_weights, skyline_evidence
 
 
 def ridge_rows(width, height, mean=0.4, swing=0.12):
@@ -55,16 +55,6 @@ def plain_before_a_range(edge_px=230, height=384, width=512):
     rock = 20 * rock_texture(rng, width, height)
     picture[edge_px:] = (np.clip(45 + rock, 5, 120)[..., None] * np.array([0.8, 1.0, 0.6]))[edge_px:]
     return np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8), np.ceil(row_px)
-
-
-def landscape(height=200, width=300, seed=0):
-    """An even sky over a rough ground, to be framed."""
-    rng = np.random.default_rng(seed)
-    picture = np.full((height, width, 3), (150.0, 175.0, 215.0))
-    ridge = 80 + 20 * np.sin(np.arange(width) / 30)
-    ground = np.arange(height)[:, None] > ridge
-    picture[ground] = (90, 85, 60) + rng.normal(0, 20, (ground.sum(), 1))
-    return np.clip(picture, 0, 255)
 
 
 @pytest.fixture(scope="module")
@@ -227,6 +217,20 @@ def test_degenerate_pictures_give_finite_probabilities(name):
     assert np.isfinite(evidence.ridge_score).all()
 
 
+def test_the_map_of_sky_follows_the_ridge_and_leaves_out_a_border(clear):
+    """A thirteenth of the picture on each side is a white frame; without the network there is no map."""
+    picture, rows, evidence = clear
+    framed = np.pad(picture, ((20, 20), (20, 20), (0, 0)), constant_values=255)
+    sky = skyline_evidence(framed, SkylineOptions(work_px=10_000)).sky_map
+    assert np.isnan(sky[:4]).all() and np.isnan(sky[:, -4:]).all()
+    whole = evidence.sky_map
+    y = (np.arange(len(whole)) + 0.5)[:, None] * len(picture) / len(whole)
+    across = rows[(np.arange(whole.shape[1]) * picture.shape[1]) // whole.shape[1]]
+    assert whole[y < across - 12].mean() > 0.9
+    assert whole[y > across + 12].mean() < 0.1
+    assert skyline_evidence(picture, SkylineOptions(use_network=False)).sky_map is None
+
+
 def test_pure_noise_is_not_believed(clear):
     """Confidence stays far below that of a clear ridge."""
     noise = skyline_evidence(np.random.default_rng(2).integers(0, 256, (240, 320, 3)).astype(np.uint8))
@@ -261,55 +265,6 @@ def test_options_out_of_range_are_refused(wrong):
     """Programming errors."""
     with pytest.raises(ValueError):
         replace(SkylineOptions(), **wrong)
-
-
-@pytest.mark.parametrize("level", [255, 240, 8])
-@pytest.mark.parametrize("border", [(6, 9, 5, 7), (20, 40, 20, 20)])
-def test_a_frame_is_measured_on_each_side(level, border):
-    """White, off-white and black, uneven sides."""
-    top, bottom, left, right = border
-    picture = landscape()
-    framed = np.pad(picture, ((top, bottom), (left, right), (0, 0)), constant_values=level)
-    assert find_crop(framed) == border
-
-
-def test_a_caption_below_belongs_to_the_frame():
-    """Letters darken a part of the lower border's lines."""
-    framed = np.pad(landscape(), ((10, 40), (10, 10), (0, 0)), constant_values=250)
-    framed[225:233, 20:120:3] = 30
-    assert find_crop(framed) == (10, 40, 10, 10)
-
-
-def test_bars_above_and_below_are_a_frame():
-    """Letterbox: no bars at the sides."""
-    framed = np.pad(landscape(), ((25, 25), (0, 0), (0, 0)), constant_values=0)
-    assert find_crop(framed) == (25, 25, 0, 0)
-
-
-@pytest.mark.parametrize("sky", [255, 250, 5])
-def test_an_overexposed_or_black_sky_is_no_frame(sky):
-    """Uniform at the top, and down the sides only as far as the ridge."""
-    picture = landscape()
-    picture[np.abs(picture - (150, 175, 215)).max(2) < 1] = sky
-    assert find_crop(picture) == (0, 0, 0, 0)
-
-
-def test_a_vignette_is_no_frame():
-    """Dark corners fade; a frame ends at once."""
-    y, x = np.mgrid[-1:1:200j, -1:1:300j]
-    gain = np.clip(1.6 - np.maximum(np.abs(x), np.abs(y)) * 1.7, 0, 1)[..., None]
-    assert find_crop(landscape() * gain) == (0, 0, 0, 0)
-
-
-@pytest.mark.parametrize("value", [0, 128, 255])
-def test_a_picture_of_one_colour_has_no_frame(value):
-    """Nothing would be left."""
-    assert find_crop(np.full((100, 100, 3), value, np.uint8)) == (0, 0, 0, 0)
-
-
-def test_tiny_pictures_are_left_alone():
-    """Too small to tell."""
-    assert find_crop(np.zeros((10, 400, 3), np.uint8)) == (0, 0, 0, 0)
 
 
 @pytest.mark.data

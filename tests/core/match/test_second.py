@@ -9,17 +9,18 @@ from skyline_viewshed.core.horizon.horizon import horizon_profile
 from skyline_viewshed.core.horizon.inner import InnerTerrain, inner_terrain
 from skyline_viewshed.core.match.geometry import HorizonCurve
 from skyline_viewshed.core.match.ground import GroundMatchOptions
-from skyline_viewshed.core.match.inner import InnerEvidence
 from skyline_viewshed.core.match.inputs import MatchInputs
 from skyline_viewshed.core.match.likelihood import EvidenceStack
 from skyline_viewshed.core.match.prior import CameraPrior, camera_prior
 from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeMatchOptions
 from skyline_viewshed.core.match.robust import RobustOptions
+from skyline_viewshed.core.match.second import InnerEvidence, SideEvidence, SideOptions
 from skyline_viewshed.core.pipeline import OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
+ABOVE, BELOW = SideOptions().ground_above, SideOptions().sky_below
 NO_CRESTS, NO_GROUND = RidgeMatchOptions(weight=0.0), GroundMatchOptions(weight=0.0)
 
 
@@ -73,7 +74,7 @@ def test_what_is_unknown_adds_nothing(scene, parts):
     no_picture = replace(evidence, thumbnail=None, ridge_score=None)
     for picture, terrain in ((evidence, None), (no_picture, inner)):
         second = InnerEvidence(objective, picture, terrain, RobustOptions())
-        assert not second and not second.score(trials).any()
+        assert not second.score(trials).any()
     no_ground = InnerTerrain(inner.ridges, None)
     assert not InnerEvidence(objective, evidence, no_ground, RobustOptions(ridges=NO_CRESTS)).score(trials).any()
 
@@ -105,3 +106,68 @@ def test_of_twin_horizons_the_ground_tells_the_right_one():
     told = orient_photo(scene.photo, terrain, setting).orientation
     assert told.best.pose.heading_deg == pytest.approx(57.0, abs=0.5)
     assert told.status == "accepted" and told.p_correct > 0.85 > 0.55 > twins.p_correct
+
+
+def sky_over(row_px, height, width, size=(96, 128)):
+    """Probability of sky that is 1 above some rows of a picture and 0 below them, on a coarser grid."""
+    y = (np.arange(size[0]) + 0.5)[:, None] * height / size[0] - 0.5
+    across = ((np.arange(size[1]) + 0.5) * width / size[1]).astype(int)
+    return np.where(y < row_px[across], 1.0, 0.0)
+
+
+@pytest.fixture(scope="module")
+def placed(match_scenes):
+    """A scene's objective, its true trial, and the horizon's row in each column."""
+    scene = match_scenes.scene()
+    objective = scene.objective()
+    trial = np.array([[scene.pose.heading_deg, scene.pose.pitch_deg, scene.pose.roll_deg, 0, 0]])
+    rows, _ = objective.rows(trial, np.arange(objective.stack.shape[1]))
+    return objective, trial, rows[0]
+
+
+def test_sky_above_and_ground_below_say_nothing(placed):
+    objective, trial, rows = placed
+    assert SideEvidence(objective, sky_over(rows, *objective.stack.shape)).score(trial) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("shift_px", "limit"), [(60, -BELOW), (-60, ABOVE)])
+def test_each_side_has_its_own_sign_and_limit(placed, shift_px, limit):
+    """The border between sky and ground lies 60 rows below, or above, the horizon."""
+    objective, trial, rows = placed
+    (score,) = SideEvidence(objective, sky_over(rows + shift_px, *objective.stack.shape)).score(trial)
+    assert 0.7 < score / limit < 1
+
+
+def test_the_share_is_that_of_the_picture(placed):
+    """A tree of a tenth of the width, from the horizon to the top, by the formula."""
+    objective, trial, rows = placed
+    height, width = objective.stack.shape
+    tree = np.where(np.abs(np.arange(width) / width - 0.5) < 0.05, -1.0, rows)
+    sky = sky_over(tree, height, width)
+    options = SideOptions(sky_below=0.0, clearance=0.0)
+    across = ((np.arange(128) + 0.5) * width / 128).astype(int)
+    share = np.where(tree[across] < 0, (rows[across] + 0.5) / height, 0).mean()
+    (score,) = SideEvidence(objective, sky, options).score(trial)
+    assert score == pytest.approx(ABOVE * share / (share + options.half_share), rel=0.03)
+
+
+def test_what_was_cut_off_does_not_count(placed):
+    objective, trial, rows = placed
+    sky = sky_over(rows + 60, *objective.stack.shape)
+    half = sky.copy()
+    half[:, :64] = np.nan
+    assert SideEvidence(objective, half).score(trial)[0] == pytest.approx(
+        SideEvidence(objective, sky).score(trial)[0], rel=0.15
+    )
+    for nothing in (np.full_like(sky, np.nan), None):
+        assert SideEvidence(objective, nothing).score(trial)[0] == 0.0
+
+
+def test_trials_whose_horizon_is_not_in_the_picture_are_finite(placed):
+    objective, trial, rows = placed
+    evidence = SideEvidence(objective, sky_over(rows, *objective.stack.shape))
+    far = np.repeat(trial, 3, axis=0)
+    far[:, 1] = -50.0, 0.0, 50.0
+    scores = evidence.score(far)
+    assert np.isfinite(scores).all()
+    assert (np.abs(scores) <= max(ABOVE, BELOW)).all()
