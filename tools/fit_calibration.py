@@ -63,17 +63,18 @@ def collect(path, count, seed):
         for index in range(count):
             case = draw_case(seed, index, "full", paths)
             photo_path, _ = take(case, folder)
-            finding = _solve(photo_path, dem_of(case.dem_path))
+            solved = solve(photo_path, dem_of(case.dem_path))
             Path(photo_path).unlink()
-            if finding is None:
+            if solved is None:
                 continue
+            finding = solved[0].finding
             error = difference(finding.heading_deg, case.pose.heading_deg)
             file.write(json.dumps(_row(case.name, finding, error)) + "\n")
             file.flush()
 
 
-def _solve(path, dem):
-    """Find the matcher's answers before they are judged; None if it rejects the picture."""
+def solve(path, dem):
+    """Find the matcher's answers before they are judged, and the evidence; None if there is no skyline to match."""
     from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
@@ -100,7 +101,7 @@ def _solve(path, dem):
     position = metadata.position_error_m or TYPICAL_POSITION_ERROR_M
     facts = {"position_error_m": position, "inner": inner, "other_eyes": eyes}
     inputs = MatchInputs(evidence, camera_prior(metadata), horizon, **facts)
-    return find_answers(inputs, options.robust).finding
+    return find_answers(inputs, options.robust), evidence
 
 
 def _row(name, finding, error_deg):

@@ -103,12 +103,22 @@ class SideEvidence:
         self._known = known.sum(axis=0)
 
     def score(self, trials):
-        """Log-likelihood of each of (K, 5) trials, (K,), but for a constant of the picture.
+        """Log-likelihood of each of (K, 5) trials, (K,), but for a constant of the picture."""
+        above, below = self.saturated(trials)
+        return self.options.ground_above * above - self.options.sky_below * below
+
+    def saturated(self, trials):
+        """Measure how much lies on the wrong side.
 
         Parameters
         ----------
         trials : (K, 5) array
             See `geometry.PARAMETERS`.
+
+        Returns
+        -------
+        ground_above, sky_below : (K,) arrays
+            a / (a + `half_share`) with a the share of the picture [1].
         """
         row, tolerance = self._objective.rows(trials, self._columns)
         reach = self.options.clearance * np.maximum(tolerance, self.options.least_tolerance_px)
@@ -116,9 +126,8 @@ class SideEvidence:
         area = np.maximum((seen * self._known).sum(axis=1), 1)
         above = np.where(seen, self._until(self._ground_from_top, row - reach), 0.0)
         below = np.where(seen, self._sky_from_top[-1] - self._until(self._sky_from_top, row + reach), 0.0)
-        return self.options.ground_above * self._saturated(above.sum(axis=1) / area) - (
-            self.options.sky_below * self._saturated(below.sum(axis=1) / area)
-        )
+        shares = (side.sum(axis=1) / area for side in (above, below))
+        return tuple(share / (share + self.options.half_share) for share in shares)
 
     def _until(self, from_top, row_px):
         """Sum of a column from its top to a row of the reduced picture, in rows of the map."""
@@ -128,6 +137,3 @@ class SideEvidence:
         column = np.arange(from_top.shape[1])
         upper, lower = from_top[first, column], from_top[first + 1, column]
         return upper + (place - first) * (lower - upper)
-
-    def _saturated(self, share):
-        return share / (share + self.options.half_share)
