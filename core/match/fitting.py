@@ -12,7 +12,7 @@ from ..base.progress import subtask
 from .answers import Fits
 from .posterior import table
 from .refine import Objective, refine
-from .second import InnerEvidence, SideEvidence
+from .second import ForegroundEvidence, InnerEvidence
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,15 +25,15 @@ class Scorer:
         The skyline.
     second : InnerEvidence
         The picture below the horizon.
-    sides : SideEvidence
-        Sky and ground on the wrong sides of the horizon.
+    foreground : ForegroundEvidence
+        Ground above the horizon.
     prior : float
         Of the eye.
     """
 
     objective: Objective
     second: InnerEvidence
-    sides: SideEvidence
+    foreground: ForegroundEvidence
     prior: float
 
 
@@ -87,17 +87,18 @@ def _with_second_evidence(fits, scorers, options):
 
     With the probability `second_misled` the evidence from the inside of the picture is misleading (snow, cloud shadow,
     forest) and carries no information. This bounds the weight that it can have for one answer against another, so that
-    it decides between answers that the skyline leaves open and never overrules a clear skyline. That of the two sides
-    is bounded by itself; only differences between the answers count.
+    it decides between answers that the skyline leaves open and never overrules a clear skyline. That of the foreground
+    is bounded by itself. Only differences between the answers count.
     """
-    inside, sides = np.zeros(len(fits.score)), np.zeros(len(fits.score))
+    inside, foreground = np.zeros(len(fits.score)), np.zeros(len(fits.score))
     for index, scorer in enumerate(scorers):
         own = fits.eye == index
         if own.any():
             inside[own] = scorer.second.score(fits.trials[own])
-            sides[own] = scorer.sides.score(fits.trials[own])
+            foreground[own] = scorer.foreground.score(fits.trials[own])
     worth, misled = table()["temperature"], options.second_misled
-    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) + sides - sides.max()
+    foreground -= foreground.max()
+    likelihood = np.log(misled + (1 - misled) * np.exp(worth * (inside - inside.max()))) + foreground
     fits = replace(fits, score=fits.score + likelihood / worth)
     return fits.take(np.argsort(-fits.score, kind="stable"))
 

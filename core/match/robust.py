@@ -28,7 +28,7 @@ from .prior import log_ratio
 from .refine import Objective, RefineOptions
 from .ridges import BEHIND_SHARE, RidgeMatchOptions, crest_share
 from .search import SearchOptions, coarse_search
-from .second import InnerEvidence, SideEvidence, SideOptions
+from .second import ForegroundEvidence, ForegroundOptions, InnerEvidence
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class RobustOptions:
 
     Attributes
     ----------
-    likelihood, search, refine, ridges, ground, sides, posterior
+    likelihood, search, refine, ridges, ground, foreground, posterior
         Options of the stages.
     short_scales : tuple of float
         Tolerances of the short fits, as multiples of the expected tolerance. The first is wide enough to converge and
@@ -58,7 +58,7 @@ class RobustOptions:
     refine: RefineOptions = field(default_factory=RefineOptions)
     ridges: RidgeMatchOptions = field(default_factory=RidgeMatchOptions)
     ground: GroundMatchOptions = field(default_factory=GroundMatchOptions)
-    sides: SideOptions = field(default_factory=SideOptions)
+    foreground: ForegroundOptions = field(default_factory=ForegroundOptions)
     posterior: PosteriorOptions = field(default_factory=PosteriorOptions)
     short_scales: tuple = (3.0, 1.0, 0.5, 0.15)
     full_fits: int = 14
@@ -236,7 +236,7 @@ def _fitted(inputs, objectives, coarse, options, progress):
         Scorer(
             objective,
             InnerEvidence(objective, inputs.evidence, eye.inner, options),
-            SideEvidence(objective, inputs.evidence.sky_map, options.sides),
+            ForegroundEvidence(objective, inputs.evidence.sky_map, options.foreground),
             eye.log_prior / table()["temperature"],
         )
         for objective, eye in zip(objectives, inputs.eyes)

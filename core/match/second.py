@@ -3,11 +3,10 @@
 `InnerEvidence` scores the picture below the skyline: its lines against the DEM's crests, its light against the DEM's
 slopes.
 
-`SideEvidence` weighs what the sky network sees above and below a trial's horizon. Sky below the horizon contradicts a
-trial, more or less: a bank of cloud hides ground, and haze makes it look like sky. Ground above the horizon is common
-at the right pose: trees, people, buildings and near slopes are not in the DEM. The skyline's own evidence counts each
-column that they fill as a miss, as if the horizon should have been seen there. Both are log-likelihood ratios that
-saturate, because neighbouring parts of a picture share their mistakes.
+`ForegroundEvidence` weighs ground that the sky network sees above a trial's horizon. It is common at the right pose:
+trees, people, buildings and near slopes are not in the DEM. The skyline's own evidence counts each column that they
+fill as a miss, as if the horizon should have been seen there. The log-likelihood ratio saturates, because neighbouring
+parts of a picture share their mistakes.
 """
 
 from __future__ import annotations
@@ -55,60 +54,54 @@ class InnerEvidence:
 
 
 @dataclass(frozen=True)
-class SideOptions:
-    """Weights of the two sides, fitted on simulated pictures by a conditional logit over the answers to each.
+class ForegroundOptions:
+    """Weight of the ground above the horizon, which `tools/fit_foreground.py` fits on simulated pictures.
 
     Attributes
     ----------
-    ground_above : float
-        Limit of the log-likelihood ratio in favour of a trial that has ground above its horizon; 0 switches it off.
-    sky_below : float
-        Limit of the log-likelihood ratio against a trial that has sky below its horizon; 0 switches it off.
+    limit : float
+        Largest log-likelihood ratio in favour of a trial with ground above its horizon; 0 switches it off.
     half_share : float
-        Share of the picture at which half of a limit is reached.
+        Share of the picture at which half of the limit is reached.
     clearance : float
-        Only what is farther from the horizon than this many tolerances counts.
+        Only what is farther above the horizon than this many tolerances counts.
     least_tolerance_px : float
         Smallest tolerance used for this [pixels of the reduced picture].
     """
 
-    ground_above: float = 2.87
-    sky_below: float = 1.48
+    limit: float = 2.15
     half_share: float = 0.02
     clearance: float = 2.0
     least_tolerance_px: float = 2.0
 
 
-class SideEvidence:
-    """Log-likelihood of trials from what lies above and below their horizons.
+class ForegroundEvidence:
+    """Log-likelihood of trials from the ground above their horizons.
 
     Parameters
     ----------
     objective : refine.Objective
     sky : (h, w) array or None
         Probability of sky, as in `SkylineEvidence.sky_map`, NaN where it is unknown; None says nothing.
-    options : SideOptions
+    options : ForegroundOptions
     """
 
-    def __init__(self, objective, sky, options=SideOptions()):  # noqa: B008 - frozen
+    def __init__(self, objective, sky, options=ForegroundOptions()):  # noqa: B008 - frozen
         self._objective, self.options = objective, options
         height, width = objective.stack.shape
         sky = np.full((1, 1), np.nan) if sky is None else sky
         self._rows_per_px = sky.shape[0] / height
         self._columns = ((np.arange(sky.shape[1]) + 0.5) * width / sky.shape[1]).astype(int)
         known = np.isfinite(sky)
-        self._sky_from_top, self._ground_from_top = (
-            np.vstack([np.zeros(sky.shape[1]), np.where(known, part, 0.0).cumsum(axis=0)]) for part in (sky, 1 - sky)
-        )
-        self._known = known.sum(axis=0)
+        from_top = np.where(known, 1 - sky, 0.0).cumsum(axis=0)
+        self._from_top, self._known = np.vstack([np.zeros(sky.shape[1]), from_top]), known.sum(axis=0)
 
     def score(self, trials):
         """Log-likelihood of each of (K, 5) trials, (K,), but for a constant of the picture."""
-        above, below = self.saturated(trials)
-        return self.options.ground_above * above - self.options.sky_below * below
+        return self.options.limit * self.saturated(trials)
 
     def saturated(self, trials):
-        """Measure how much lies on the wrong side.
+        """Measure how much ground lies above the horizon.
 
         Parameters
         ----------
@@ -117,23 +110,21 @@ class SideEvidence:
 
         Returns
         -------
-        ground_above, sky_below : (K,) arrays
+        (K,) array
             a / (a + `half_share`) with a the share of the picture [1].
         """
         row, tolerance = self._objective.rows(trials, self._columns)
-        reach = self.options.clearance * np.maximum(tolerance, self.options.least_tolerance_px)
         seen = np.isfinite(row)
-        area = np.maximum((seen * self._known).sum(axis=1), 1)
-        above = np.where(seen, self._until(self._ground_from_top, row - reach), 0.0)
-        below = np.where(seen, self._sky_from_top[-1] - self._until(self._sky_from_top, row + reach), 0.0)
-        shares = (side.sum(axis=1) / area for side in (above, below))
-        return tuple(share / (share + self.options.half_share) for share in shares)
+        row = row - self.options.clearance * np.maximum(tolerance, self.options.least_tolerance_px)
+        above = np.where(seen, self._until(row), 0.0).sum(axis=1)
+        share = above / np.maximum((seen * self._known).sum(axis=1), 1)
+        return share / (share + self.options.half_share)
 
-    def _until(self, from_top, row_px):
-        """Sum of a column from its top to a row of the reduced picture, in rows of the map."""
-        last = len(from_top) - 1
+    def _until(self, row_px):
+        """Ground of each column from its top to a row of the reduced picture, in rows of the map."""
+        last = len(self._from_top) - 1
         place = np.clip((np.nan_to_num(row_px) + 0.5) * self._rows_per_px, 0, last)
         first = np.minimum(place.astype(int), last - 1)
-        column = np.arange(from_top.shape[1])
-        upper, lower = from_top[first, column], from_top[first + 1, column]
+        column = np.arange(self._from_top.shape[1])
+        upper, lower = self._from_top[first, column], self._from_top[first + 1, column]
         return upper + (place - first) * (lower - upper)

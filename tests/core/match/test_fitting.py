@@ -31,7 +31,7 @@ def two_fits(gap):
 
 def test_the_inside_of_the_picture_decides_between_equals_and_overrules_no_clear_skyline():
     options = RobustOptions()
-    scorers = [SimpleNamespace(second=Inside({10.0: 0.0, 200.0: 2.5}), sides=NOTHING)]
+    scorers = [SimpleNamespace(second=Inside({10.0: 0.0, 200.0: 2.5}), foreground=NOTHING)]
     level = fitting._with_second_evidence(two_fits(0.0), scorers, options)
     assert level.trials[0, 0] == 200.0
     limit = -np.log(options.second_misled) / table()["temperature"]
@@ -42,14 +42,14 @@ def test_the_inside_of_the_picture_decides_between_equals_and_overrules_no_clear
 
 def test_without_second_evidence_scores_and_order_stay():
     fits = two_fits(0.3)
-    same = fitting._with_second_evidence(fits, [SimpleNamespace(second=NOTHING, sides=NOTHING)], RobustOptions())
+    same = fitting._with_second_evidence(fits, [SimpleNamespace(second=NOTHING, foreground=NOTHING)], RobustOptions())
     assert same.score.tolist() == fits.score.tolist()
 
 
-def test_sky_and_ground_on_the_wrong_sides_are_log_likelihoods_of_the_answers():
+def test_the_foreground_is_a_log_likelihood_of_the_answers():
     """Only the difference between answers counts, so a picture full of trees is no more certain for it."""
     for shift in (0.0, 5.0):
-        scorers = [SimpleNamespace(second=NOTHING, sides=Inside({10.0: shift, 200.0: shift + 1.3}))]
+        scorers = [SimpleNamespace(second=NOTHING, foreground=Inside({10.0: shift, 200.0: shift + 1.3}))]
         fits = fitting._with_second_evidence(two_fits(0.0), scorers, RobustOptions())
         assert fits.trials[0, 0] == 200.0
         assert fits.score == pytest.approx([4.0, 4.0 - 1.3 / table()["temperature"]])

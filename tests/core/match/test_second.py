@@ -15,12 +15,11 @@ from skyline_viewshed.core.match.prior import CameraPrior, camera_prior
 from skyline_viewshed.core.match.refine import Objective
 from skyline_viewshed.core.match.ridges import RidgeMatchOptions
 from skyline_viewshed.core.match.robust import RobustOptions
-from skyline_viewshed.core.match.second import InnerEvidence, SideEvidence, SideOptions
+from skyline_viewshed.core.match.second import ForegroundEvidence, ForegroundOptions, InnerEvidence
 from skyline_viewshed.core.pipeline import OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.simulate.scene import SceneOptions
 from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
-ABOVE, BELOW = SideOptions().ground_above, SideOptions().sky_below
 NO_CRESTS, NO_GROUND = RidgeMatchOptions(weight=0.0), GroundMatchOptions(weight=0.0)
 
 
@@ -125,17 +124,17 @@ def placed(match_scenes):
     return objective, trial, rows[0]
 
 
-def test_sky_above_and_ground_below_say_nothing(placed):
+@pytest.mark.parametrize("shift_px", [0, 60])
+def test_sky_above_the_horizon_says_nothing_whatever_is_below(placed, shift_px):
     objective, trial, rows = placed
-    assert SideEvidence(objective, sky_over(rows, *objective.stack.shape)).score(trial) == pytest.approx(0.0, abs=1e-9)
+    sky = sky_over(rows + shift_px, *objective.stack.shape)
+    assert ForegroundEvidence(objective, sky).score(trial) == pytest.approx(0.0, abs=1e-9)
 
 
-@pytest.mark.parametrize(("shift_px", "limit"), [(60, -BELOW), (-60, ABOVE)])
-def test_each_side_has_its_own_sign_and_limit(placed, shift_px, limit):
-    """The border between sky and ground lies 60 rows below, or above, the horizon."""
+def test_ground_high_above_the_horizon_nearly_reaches_the_limit(placed):
     objective, trial, rows = placed
-    (score,) = SideEvidence(objective, sky_over(rows + shift_px, *objective.stack.shape)).score(trial)
-    assert 0.7 < score / limit < 1
+    (score,) = ForegroundEvidence(objective, sky_over(rows - 60, *objective.stack.shape)).score(trial)
+    assert 0.7 < score / ForegroundOptions().limit < 1
 
 
 def test_the_share_is_that_of_the_picture(placed):
@@ -143,31 +142,29 @@ def test_the_share_is_that_of_the_picture(placed):
     objective, trial, rows = placed
     height, width = objective.stack.shape
     tree = np.where(np.abs(np.arange(width) / width - 0.5) < 0.05, -1.0, rows)
-    sky = sky_over(tree, height, width)
-    options = SideOptions(sky_below=0.0, clearance=0.0)
+    options = ForegroundOptions(clearance=0.0)
     across = ((np.arange(128) + 0.5) * width / 128).astype(int)
     share = np.where(tree[across] < 0, (rows[across] + 0.5) / height, 0).mean()
-    (score,) = SideEvidence(objective, sky, options).score(trial)
-    assert score == pytest.approx(ABOVE * share / (share + options.half_share), rel=0.03)
+    (score,) = ForegroundEvidence(objective, sky_over(tree, height, width), options).score(trial)
+    assert score == pytest.approx(options.limit * share / (share + options.half_share), rel=0.03)
 
 
 def test_what_was_cut_off_does_not_count(placed):
     objective, trial, rows = placed
-    sky = sky_over(rows + 60, *objective.stack.shape)
+    sky = sky_over(rows - 60, *objective.stack.shape)
     half = sky.copy()
     half[:, :64] = np.nan
-    assert SideEvidence(objective, half).score(trial)[0] == pytest.approx(
-        SideEvidence(objective, sky).score(trial)[0], rel=0.15
-    )
+    whole, part = (ForegroundEvidence(objective, one).score(trial)[0] for one in (sky, half))
+    assert part == pytest.approx(whole, rel=0.15)
     for nothing in (np.full_like(sky, np.nan), None):
-        assert SideEvidence(objective, nothing).score(trial)[0] == 0.0
+        assert ForegroundEvidence(objective, nothing).score(trial)[0] == 0.0
 
 
 def test_trials_whose_horizon_is_not_in_the_picture_are_finite(placed):
     objective, trial, rows = placed
-    evidence = SideEvidence(objective, sky_over(rows, *objective.stack.shape))
+    evidence = ForegroundEvidence(objective, sky_over(rows, *objective.stack.shape))
     far = np.repeat(trial, 3, axis=0)
     far[:, 1] = -50.0, 0.0, 50.0
     scores = evidence.score(far)
     assert np.isfinite(scores).all()
-    assert (np.abs(scores) <= max(ABOVE, BELOW)).all()
+    assert (np.abs(scores) <= ForegroundOptions().limit).all()

@@ -1,13 +1,13 @@
-"""Fit the weights of sky and ground on the wrong sides of a horizon: `SideOptions` in core/match/second.py.
+"""Fit the weight of ground above the horizon: `ForegroundOptions` in core/match/second.py.
 
-    python tools/fit_sides.py collect rows.jsonl --level full --count 240 --seed 9001
-    python tools/fit_sides.py collect rows.jsonl --level adverse --count 200 --seed 9002
-    python tools/fit_sides.py fit rows.jsonl
+    python tools/fit_foreground.py collect rows.jsonl --level full --count 240 --seed 9001
+    python tools/fit_foreground.py collect rows.jsonl --level adverse --count 200 --seed 9002
+    python tools/fit_foreground.py fit rows.jsonl
 
 `collect` renders simulated photographs, solves them without the truth and appends one line per photograph: for each
-answer its error, its score without the two sides, and what lies on the wrong side. `fit` fits a conditional logit over
-the answers to each picture, with the scores at the calibrated temperature, and prints the weights and the
-log-likelihood of pictures that did not take part (four-fold). Copy the weights to `SideOptions`.
+answer its error, its score without the foreground, and how much ground lies above its horizon. `fit` fits a conditional
+logit over the answers to each picture, with the scores at the calibrated temperature, and prints the weight and the
+log-likelihood of pictures that did not take part (four-fold). Copy the weight to `ForegroundOptions.limit`.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from pathlib import Path
 
 import numpy as np
 from fit_calibration import RIGHT_DEG, ROOT, read_rows, solve
-from scipy.optimize import minimize
+from scipy.optimize import minimize_scalar
 from scipy.special import logsumexp
 from skyline_viewshed.core.base.angles import difference
 from skyline_viewshed.core.match.posterior import table
-from skyline_viewshed.core.match.second import SideEvidence, SideOptions
+from skyline_viewshed.core.match.second import ForegroundEvidence, ForegroundOptions
 
 PENALTY = 0.1
-"""Ridge penalty on the two weights."""
+"""Ridge penalty on the weight."""
 
 
 def main(arguments=None):
@@ -62,47 +62,42 @@ def collect(path, level, count, seed):
 
 
 def _row(case, answers, evidence):
-    sides, log_likelihood = np.zeros((len(answers.trials), 2)), np.zeros(len(answers.trials))
+    above, log_likelihood = np.zeros(len(answers.trials)), np.zeros(len(answers.trials))
     for index, (eye, trial) in enumerate(zip(answers.eye, answers.trials)):
-        one = SideEvidence(answers.objectives[eye], evidence.sky_map)
-        sides[index], log_likelihood[index] = np.ravel(one.saturated(trial[None])), one.score(trial[None])[0]
-    # The scores hold the two sides, relative to the answer for which they say most.
+        one = ForegroundEvidence(answers.objectives[eye], evidence.sky_map)
+        above[index], log_likelihood[index] = one.saturated(trial[None])[0], one.score(trial[None])[0]
+    # The scores hold the foreground, relative to the answer for which it says most.
     score = answers.finding.score - (log_likelihood - log_likelihood.max()) / table()["temperature"]
     error = difference(answers.finding.heading_deg, case.pose.heading_deg)
-    return {"photo": case.name, "error_deg": error.tolist(), "score": score.tolist(), "sides": sides.tolist()}
+    return {"photo": case.name, "error_deg": error.tolist(), "score": score.tolist(), "above": above.tolist()}
 
 
 def study(rows):
-    """Fit, and print weights and the log-likelihood of unseen pictures, with the two sides and without."""
+    """Fit, and print the weight and the log-likelihood of unseen pictures, with the foreground and without."""
     cases = [_case(row) for row in rows if (np.abs(row["error_deg"]) < RIGHT_DEG).any()]
     folds = [cases[start::4] for start in range(4)]
     unseen = sum(
         likelihood(fit([case for other in folds if other is not fold for case in other]), fold) for fold in folds
     )
-    above, below = fit(cases)
     print(f"{len(cases)} pictures with a right answer among all")
-    print(f"log-likelihood of unseen ones: {unseen:.1f}; without the two sides: {likelihood((0.0, 0.0), cases):.1f}")
-    print(f"ground_above {above:.2f}, sky_below {below:.2f}; now {SideOptions()}")
+    print(f"log-likelihood of unseen ones: {unseen:.1f}; without the foreground: {likelihood(0.0, cases):.1f}")
+    print(f"limit {fit(cases):.2f}; now {ForegroundOptions().limit}")
 
 
 def _case(row):
-    return np.array(row["score"]) * table()["temperature"], np.array(row["sides"]), np.abs(row["error_deg"]) < RIGHT_DEG
+    return np.array(row["score"]) * table()["temperature"], np.array(row["above"]), np.abs(row["error_deg"]) < RIGHT_DEG
 
 
 def fit(cases):
-    """Weights of ground above and of sky below the horizon."""
-
-    def loss(weights):
-        return PENALTY * np.square(weights).sum() - likelihood(weights, cases)
-
-    return tuple(minimize(loss, np.zeros(2)).x)
+    """Weight of ground above the horizon."""
+    return minimize_scalar(lambda weight: PENALTY * weight**2 - likelihood(weight, cases), (0.0, 1.0)).x
 
 
-def likelihood(weights, cases):
+def likelihood(weight, cases):
     """Sum over pictures of the logarithm of the right answers' share."""
     total = 0.0
-    for score, sides, right in cases:
-        value = score + sides @ np.array([weights[0], -weights[1]])
+    for score, above, right in cases:
+        value = score + weight * above
         total += logsumexp(value[right]) - logsumexp(value)
     return total
 
