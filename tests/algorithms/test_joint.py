@@ -1,7 +1,7 @@
 """JOINT on real photographs of one place, as users meet it: in a script, from the dialog, in a model and in a shell.
 
-IMG_2307 alone comes out wrong by more than 30 degrees, because a person hides most of its skyline. IMG_2315, which was taken five
-minutes later 22 m away through a longer lens, is accepted.
+IMG_2307 alone comes out wrong by more than 30 degrees, because a person hides most of its skyline. IMG_2315, which was
+taken five minutes later 22 m away through a longer lens, is accepted.
 """
 
 from __future__ import annotations
