@@ -218,7 +218,7 @@ def test_degenerate_pictures_give_finite_probabilities(name):
 
 
 def test_the_map_of_sky_follows_the_ridge_and_leaves_out_a_border(clear):
-    """A thirteenth of the picture on each side is a white frame; without the network there is no map."""
+    """The framed picture has 20 white pixels on each side; without the network there is no map."""
     picture, rows, evidence = clear
     framed = np.pad(picture, ((20, 20), (20, 20), (0, 0)), constant_values=255)
     sky = skyline_evidence(framed, SkylineOptions(work_px=10_000)).sky_map
