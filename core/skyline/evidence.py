@@ -21,12 +21,13 @@ from ..base import imaging
 from ..base.errors import SkylineNotFoundError
 from ..base.messages import Message
 from ..base.model import Skyline, SkylineEvidence
-from .appearance import EDGE_SIGMAS_PX, measure
+from .appearance import measure
 from .border import find_crop
 from .colour import learn_sky, relearn_sky
 from .features import boundary_features, log_probability, means_above_below, normalised
 from .network import SOFTNESS, resized, row_probability, sky_log_odds
-from .seam import best_line, placed_between_rows, row_marginals
+from .placing import placed_between_rows
+from .seam import best_line, row_marginals
 
 WEIGHTS_PATH = Path(__file__).with_name("weights.json")
 SMALLEST_PX = 24
@@ -171,7 +172,7 @@ def _first_colours(log_odds, appearance, options):
 def _laid_out(appearance, probability, line, crop, shape):
     """Fields of `SkylineEvidence` that describe one line, in the frame of the whole reduced picture."""
     inside, leaves_frame = _cut_ridges_apart(probability)
-    placed = placed_between_rows(line, appearance.edges[EDGE_SIGMAS_PX[0]])
+    placed = placed_between_rows(line, appearance)
     # At the edge of the frame there is no sky above the line, and so no whole ramp.
     placed = np.where(line > TOP_ROWS, placed, line)
     return {

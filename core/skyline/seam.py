@@ -1,4 +1,4 @@
-"""Treat the skyline as a chain along the columns: find the best line, place it, and find the probability of each row.
+"""Treat the skyline as a chain along the columns: find the best line and the probability of each row.
 
 Line and probability both run from column to column over an (H, W) array of log-scores; a step of several rows costs
 more than a small one. References: Viterbi 1967, doi 10.1109/TIT.1967.1054010; forward-backward, Rabiner 1989,
@@ -48,38 +48,6 @@ def best_line(score, cost_per_px, reach_px=10, cap_px=8):
     for x in range(width - 1, 0, -1):
         line[x - 1] = came_from[x][line[x]]
     return line
-
-
-def placed_between_rows(line, edge, reach_px=3):
-    """Place a line at the centre of the edge that it follows, which is a fraction of a row.
-
-    Lens, sharpening and compression spread a step over several rows. The score of a row finds this ramp but prefers its
-    upper end, since some features count the rest of the ramp as clutter above the boundary. The ramp's centre of
-    gravity is the place of the step for every symmetric blur, whatever its width. The weakest edge within reach is
-    taken for the texture's own and subtracted.
-
-    Parameters
-    ----------
-    line : (W,) int array
-        Row per column; row y is the boundary between y - 1 and y.
-    edge : (H, W) array
-        Strength of the edge at each such boundary, not negative.
-    reach_px : int
-        Rows on each side that are looked at: the reach of the ramp and the uncertainty of the line. Farther down, the
-        terrain's own texture would draw the line into the ground (`docs/sky-model.md`).
-
-    Returns
-    -------
-    (W,) float array
-        `line` itself where no edge is within reach.
-    """
-    steps = np.arange(-reach_px, reach_px + 1)[:, None]
-    rows = line + steps
-    inside = (rows >= 1) & (rows < len(edge))
-    near = edge[np.clip(rows, 0, len(edge) - 1), np.arange(edge.shape[1])].astype(float)
-    weight = np.where(inside, near - np.where(inside, near, np.inf).min(0), 0)
-    total = weight.sum(0)
-    return line + (weight * steps).sum(0) / np.where(total > 0, total, 1)
 
 
 def row_marginals(log_score, cost_per_px, jump_share, reach_px=14):

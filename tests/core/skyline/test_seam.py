@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from skyline_viewshed.core.skyline.seam import best_line, placed_between_rows, row_marginals
+from skyline_viewshed.core.skyline.seam import best_line, row_marginals
 
 HEIGHT, WIDTH = 5, 4
 
@@ -69,21 +69,3 @@ def test_one_column_is_a_line_too():
     """Nothing to step to."""
     assert best_line(np.array([[0.0], [2.0], [1.0]]), 1.0).tolist() == [1]
     assert row_marginals(np.log([[0.2], [0.5], [0.3]]), 1.0, 0.1)[:, 0] == pytest.approx([0.2, 0.5, 0.3])
-
-
-@pytest.mark.parametrize("start", [-1, 0, 1])
-def test_a_line_is_placed_at_the_centre_of_a_ramp(start):
-    """A ramp between two rows, found by a line up to one row beside it, over texture of equal strength."""
-    centre = 20.3
-    edge = 0.4 + np.exp(-0.5 * ((np.arange(40) - centre) / 0.9) ** 2)[:, None] * np.ones(6)
-    placed = placed_between_rows(np.full(6, 20 + start), edge)
-    assert np.abs(placed - centre).max() < 0.25
-    assert np.abs(placed - centre).max() <= abs(20 + start - centre)
-
-
-def test_a_line_without_an_edge_or_at_the_border_stays_within_reach():
-    """No edge moves nothing; rows outside the picture do not count."""
-    np.testing.assert_array_equal(placed_between_rows(np.array([0, 5, 9]), np.zeros((10, 3))), [0, 5, 9])
-    edge = np.random.default_rng(0).random((10, 3))
-    placed = placed_between_rows(np.array([0, 5, 9]), edge)
-    assert (placed >= 0).all() and (placed <= 9).all()
