@@ -5,7 +5,9 @@ method count. What is fitted (the skyline weights, the sky network, the calibrat
 on public pictures with sky labels and on the 30 masks, none of which is a photograph of a region here; so each row is
 measured with nothing fitted on its region, except the spread of the compass (`CompassOptions`). What a person chose
 with a region in sight is listed in docs/accuracy.md.
-Writes `build/regions-ignore.json` or `build/regions-prior.json`, by the use of the compass.
+A folder is a run, whose compasses are tried on a sample as in the product. COMPASS=random uses readings that were drawn at
+random instead of the recorded ones: a collection of lost compasses.
+Writes `build/regions-ignore.json`, `regions-prior.json` or `regions-random.json`, by the use of the compass.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ import json
 import os
 import sys
 import time
+from dataclasses import replace
 from multiprocessing import Pool
 from pathlib import Path
 
@@ -26,6 +29,8 @@ from bench_accuracy import dem_of, read_truth, request_of, result_row  # noqa: E
 REGIONS = {"khumbu-trek": "khumbu"}
 """Folders that belong to another folder's region."""
 
+COMPASSES = ("ignore", "prior", "random")
+
 GROUPS = ("good", "hard", "fog")
 LIMITS_DEG = (0.5, 1.0, 1.5, 3.0, 10.0)
 WRONG_DEG = 3.0
@@ -34,12 +39,12 @@ WRONG_DEG = 3.0
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", type=Path, help="folder of folders with truth.csv, photos/ and dem/")
-    parser.add_argument("--compass", choices=("ignore", "prior"), default="ignore")
+    parser.add_argument("--compass", choices=COMPASSES, default="ignore")
     parser.add_argument("--jobs", type=int, default=max((os.cpu_count() or 1) - 1, 1))
     parser.add_argument("--output", type=Path, help="build/regions-COMPASS.json by default")
     given = parser.parse_args(arguments)
     folders = sorted(path.parent for path in given.data.glob("*/truth.csv"))
-    tasks = [(f, line, given.compass) for f in folders for line in read_truth(f) if line.get("group") in GROUPS]
+    tasks = [task for folder in folders for task in tasks_of(folder, given.compass, given.jobs)]
     with Pool(given.jobs) as pool:
         rows = pool.map(measure, tasks, chunksize=1)
     table = by_region(rows)
@@ -52,16 +57,43 @@ def main(arguments=None):
     print(f"written: {output}")
 
 
+def tasks_of(folder, compass, jobs):
+    """Photographs of a folder and the options of its run: (folder, line, compass, options)."""
+    from skyline_viewshed.core.cluster import spread_over
+    from skyline_viewshed.core.io.raster import open_dem
+    from skyline_viewshed.core.many import OrientJob
+    from skyline_viewshed.core.pipeline import OrientOptions
+    from skyline_viewshed.core.trusting import with_trust
+
+    lines = [line for line in read_truth(folder) if line.get("group") in GROUPS]
+    requests = [request_of(folder, line) for line in lines]
+    job = OrientJob(open_dem(str(dem_of(folder))), OrientOptions(compass="ignore" if compass == "ignore" else "prior"))
+    given = [(request, photo_of(request, compass)) for request in requests] if compass != "ignore" else []
+    job, _ = with_trust(job, given, spread_over(None, jobs))
+    return [(folder, line, compass, job.options) for line in lines]
+
+
+def photo_of(request, compass):
+    """The photograph with a random reading of its compass; None leaves it to the file."""
+    from skyline_viewshed.core.batch import PREVIEW_PX
+    from skyline_viewshed.core.io.photo import read_photo
+
+    if compass != "random":
+        return None
+    photo = read_photo(request.path, PREVIEW_PX)
+    reading = float(np.random.default_rng([7, *Path(request.path).name.encode()]).uniform(0, 360))
+    return replace(photo, metadata=replace(photo.metadata, compass_heading_deg=reading, compass_reference="T"))
+
+
 def measure(task):
     """Orient one photograph; return its answer beside its truth."""
     from skyline_viewshed.core.batch import orient_request
     from skyline_viewshed.core.io.raster import open_dem
-    from skyline_viewshed.core.pipeline import OrientOptions
 
-    folder, line, compass = task
+    folder, line, compass, options = task
     start = time.process_time()
-    dem = open_dem(str(dem_of(folder)))
-    oriented = orient_request(request_of(folder, line), dem, OrientOptions(compass=compass))
+    dem, request = open_dem(str(dem_of(folder))), request_of(folder, line)
+    oriented = orient_request(request, dem, options, photo=photo_of(request, compass))
     region = REGIONS.get(folder.name, folder.name)
     return {**result_row(line, oriented), "region": region, "cpu_s": time.process_time() - start}
 

@@ -10,6 +10,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from datetime import datetime
+from functools import partial
 from operator import length_hint
 from typing import TYPE_CHECKING, Any, Union
 
@@ -27,7 +28,7 @@ from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
 from .batch import PREVIEW_PX, HorizonCache, PhotoRequest, orient_request
-from .cluster import cluster_outcomes
+from .cluster import spread_over
 from .figures.notebook import photo_html
 from .figures.overlay import overlay_image
 from .horizon import horizon as horizons
@@ -35,7 +36,7 @@ from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
 from .io.report_file import ReportFile
-from .many import JOINT_PART, OrientJob, answers_of, look_again, outcomes_of
+from .many import JOINT_PART, OrientJob, answers_of, look_again
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
@@ -44,6 +45,7 @@ from .report.report import ReportWriter
 from .simulate.example import example_terrain
 from .simulate.render import render_view
 from .simulate.scene import SceneOptions
+from .trusting import trusted_outcomes
 from .viewshed import viewshed as viewsheds
 from .viewshed.sector import FullCircle, PhotoFrame, Wedge
 from .viewshed.viewshed import ViewshedOptions
@@ -229,17 +231,14 @@ def orient_many(
     [290, 300]
     """
     chosen, whole, listed = _options(method, compass, options), as_progress(progress), _listed(photos)
-    job = OrientJob(dem, chosen)
-    tasks = [_task(photo, chosen, facts) for photo in listed]
-
-    def orient_all(tasks: list, part: Progress) -> Iterator[Any]:
-        return cluster_outcomes(client, job, tasks, part) if client else outcomes_of(job, tasks, part, workers)
-
-    alone = subtask(whole, 0.0, JOINT_PART if joint else 1.0)
-    answers = answers_of(orient_all(tasks, alone), tasks)
-    together = (
-        look_again(tasks, list(answers), orient_all, subtask(whole, JOINT_PART, 1.0), chosen) if joint else answers
+    tasks, orient_all = [_task(photo, chosen, facts) for photo in listed], spread_over(client, workers)
+    job, outcomes = trusted_outcomes(
+        OrientJob(dem, chosen), tasks, orient_all, subtask(whole, 0.0, JOINT_PART if joint else 1.0)
     )
+    together: Iterable[OrientedPhoto] = answers_of(outcomes, tasks)
+    if joint:
+        again = partial(orient_all, job)
+        together = look_again(tasks, list(together), again, subtask(whole, JOINT_PART, 1.0), job.options)
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
         whole.report(1.0 if joint else (index + 1) / len(listed))

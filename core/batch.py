@@ -32,6 +32,11 @@ PREVIEW_PX = 1024
 """Long side of the pictures that the robust method and the figures use [pixels]; the evidence itself uses 512."""
 
 
+DISTRUSTED_NOTE = Message(
+    "The compass of this camera contradicts the skylines of other photos of the run, so it counts for little."
+)
+
+
 @dataclass(frozen=True)
 class PhotoRequest:
     """One photograph and what is known apart from its file; None means the value from the file or the DEM.
@@ -135,7 +140,8 @@ def _orient(request, photo, dem, options, cache, progress):
     prior = camera_prior(metadata, request.hfov_deg)
     prior = replace(prior, camera=_distorted(prior.camera, request.k1, request.k2))
     compass = recorded_heading_deg(metadata, longitude, latitude)
-    hints = _hints(request, metadata, dem, observer, compass if options.compass == "prior" else None)
+    believed = compass_prior(compass, options.compass_of(metadata.camera)) if options.compass == "prior" else None
+    hints = _hints(request, metadata, dem, observer, believed)
     if hints.heading is None:
         hints = replace(hints, recorded_heading_deg=compass)
     horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
@@ -146,6 +152,8 @@ def _orient(request, photo, dem, options, cache, progress):
     setting = Setting(observer, prior, hints, horizon, inner, error, eyes)
     oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
     notes = metadata.notes + eye_notes(request, metadata, oriented) + oriented.orientation.notes
+    if hints.heading is believed and metadata.camera in dict(options.compass_shares):
+        notes += (DISTRUSTED_NOTE,)
     limit_m = altitude_limit_m(metadata, horizon.cell_m, options.eyes.largest_altitude_error_m, error)
     answer = doubted(
         replace(oriented.orientation, notes=notes), position_doubt(oriented.orientation, error), keep_interval=True
@@ -221,12 +229,12 @@ def _declination(metadata, longitude_deg, latitude_deg):
     return declination_deg(latitude_deg, longitude_deg, metadata.altitude_m or 0.0, metadata.taken_at)
 
 
-def _hints(request, metadata, dem, observer, compass_deg):
+def _hints(request, metadata, dem, observer, compass):
     if request.heading_deg is not None:
         # The tolerance that a person gives counts as two standard deviations.
         heading = HeadingPrior(float(request.heading_deg), max(request.heading_tolerance_deg / 2, 0.5), 0.01)
     else:
-        heading = compass_prior(compass_deg)
+        heading = compass
     size = metadata.width_px, metadata.height_px
     evidence = None
     if request.drawn_skyline is not None:

@@ -20,11 +20,12 @@ from .base.errors import Cancelled, SkylineViewshedError
 from .base.optional import require
 from .base.status import RELIABLE
 from .base.terminal import Bar, Quietly
-from .cluster import RowsOfChunk, rows_with_files
+from .cluster import RowsOfChunk, rows_with_files, spread_over
 from .io.horizon_table import write_horizon
 from .io.whole_file import check_folder, unused_name
 from .many import OrientJob
 from .pipeline import COMPASS_USES, METHODS
+from .trusting import with_trust
 
 PROGRAM = "skyline-viewshed"
 ANSWERED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -80,8 +81,7 @@ class Run:
 
     def __init__(self, given: argparse.Namespace, bar: Bar) -> None:
         self.given, self.bar, self.dem = given, bar, _dem(given)
-        self.paths = _photos(given.photos, given.recursive)
-        self.options = _options(given)
+        self.paths, self.options = _photos(given.photos, given.recursive), _options(given)
         self.statuses: Counter[str] = Counter()
         self.rows: list[Any] = []
         self._stems: set[str] = set()
@@ -137,7 +137,9 @@ def orient(given: argparse.Namespace, bar: Bar) -> int:
     for path in filter(None, (given.output, given.report)):
         check_folder(path)
     if given.results:
-        return _orient_in_chunks(given, bar)
+        rows = _rows_of_chunks(given, bar)
+        write_points(given.output, point_fields(), rows)
+        return _summed_up(Counter(str(row.values["status"]) for row in rows), given, bar)
     run = Run(given, bar)
     if given.viewsheds:
         given.viewsheds.mkdir(parents=True, exist_ok=True)
@@ -156,17 +158,14 @@ def _summed_up(statuses: Counter[str], given: argparse.Namespace, bar: Bar) -> i
     return SOME_FAILED if statuses["failed"] else ANSWERED
 
 
-def _orient_in_chunks(given: argparse.Namespace, bar: Bar) -> int:
+def _rows_of_chunks(given: argparse.Namespace, bar: Bar) -> list[Any]:
     """Orient so many photographs that only their points are kept, and go on where an earlier run ended."""
     if given.report or given.viewsheds or given.joint:
         raise ValueError("--results keeps the points only; leave out --report, --viewsheds and --joint, or --results")
-    from .io.vector import point_fields, write_points
-
-    work = RowsOfChunk(OrientJob(_dem(given), _options(given)), given.max_distance)
     tasks = [(api.PhotoRequest(path, **_facts(given)), None) for path in _photos(given.photos, given.recursive)]
-    rows = list(rows_with_files(work, tasks, given.results, _client(given), given.workers, bar))
-    write_points(given.output, point_fields(), rows)
-    return _summed_up(Counter(str(row.values["status"]) for row in rows), given, bar)
+    client = _client(given)
+    job, _ = with_trust(OrientJob(_dem(given), _options(given)), tasks, spread_over(client, given.workers), Quietly(bar))
+    return list(rows_with_files(RowsOfChunk(job, given.max_distance), tasks, given.results, client, given.workers, bar))
 
 
 def _client(given: argparse.Namespace) -> Any:

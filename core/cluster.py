@@ -18,7 +18,7 @@ from .base.progress import SILENT, checkpoint, subtask
 from .io.local_copy import local_copy
 from .io.orientation_file import orientation_mark
 from .io.whole_file import staged
-from .many import OrientJob, fallen
+from .many import OrientJob, fallen, outcomes_of
 from .workers.interpreter import worker_count
 from .workers.pool import LOST, Outcome, WorkerLostError
 from .workers.team import Team
@@ -111,6 +111,23 @@ def cluster_outcomes(client, job, tasks, progress):
     """
     for outcomes in _run(PhotosOfChunk(job), _chunks(tasks), client, 1, progress):
         yield from outcomes
+
+
+def spread_over(client, workers):
+    """Return how photographs are oriented: a callable of (job, tasks, progress) that gives outcomes in order.
+
+    Parameters
+    ----------
+    client : dask.distributed.Client or None
+        None works on this computer, with `workers` processes.
+    workers : int
+        See `worker_count`.
+    """
+
+    def orient_all(job, tasks, progress):
+        return cluster_outcomes(client, job, tasks, progress) if client else outcomes_of(job, tasks, progress, workers)
+
+    return orient_all
 
 
 def tiles_on(client):

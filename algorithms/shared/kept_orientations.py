@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from pathlib import Path
 
 from ...core.io.whole_file import unused_name
@@ -24,7 +23,7 @@ def orientations_out(name="ORIENTATIONS"):
 class KeptOrientations:
     """Orients photographs, or reads the result of an earlier run from the folder.
 
-    `is_missing` is called for all requests of a run, and then `orient` for the same ones in the same order.
+    `is_missing` is called for all requests of a run in order, which names their files, and then `orient`.
 
     Failures are not stored: they are quick to find, and their cause may lie outside the photo, such as a missing
     package.
@@ -34,31 +33,35 @@ class KeptOrientations:
     folder : str
         Empty if not requested.
     feedback : QgsProcessingFeedback
+    known : dict of int to OrientedPhoto
+        Answers that this run has already, by the `id` of the request; their files are written.
     """
 
-    def __init__(self, folder, feedback):
-        self.folder, self.feedback, self._taken = folder, feedback, set()
-        self._files: deque = deque()
+    def __init__(self, folder, feedback, known=None):
+        self.folder, self.feedback, self.known, self._taken = folder, feedback, known or {}, set()
+        self._files: dict = {}
 
     def is_missing(self, request, dem, options):
-        """Tell whether a request must be oriented: no file of an earlier run holds its result."""
+        """Tell whether a request must be oriented: neither this run nor a file of an earlier one has its result."""
         from ...core.io.orientation_file import holds, orientation_mark
 
         if not self.folder:
-            return True
+            return id(request) not in self.known
         path = Path(self.folder) / f"{unused_name(Path(request.path).stem, self._taken)}.npz"
         mark = orientation_mark(request, dem, options)
         held = holds(path, mark)
-        self._files.append((path, mark, held))
-        return not held
+        self._files[id(request)] = path, mark, held
+        return not held and id(request) not in self.known
 
     def orient(self, request, team, progress):
-        """Return the `OrientedPhoto` of a request from its file, or else the next that the team has oriented."""
+        """Return the `OrientedPhoto` of a request as it is known, from its file, or else the next of the team."""
         from ...core.io.orientation_file import packed, unpacked
 
+        if id(request) in self.known:
+            return self.known[id(request)]
         if not self.folder:
             return oriented_by(team, progress)
-        path, mark, held = self._files.popleft()
+        path, mark, held = self._files[id(request)]
         if held:
             oriented = unpacked(path, mark)
             if oriented is not None:

@@ -13,6 +13,7 @@ from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
+from .compass_trial import compass_tried
 from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, number_or_none
 from .i18n import in_users_language, marked, tr
@@ -177,25 +178,26 @@ def orient_each(
     if doubt is not None:
         feedback.pushWarning(in_users_language(doubt))
     job, told = OrientJob(dem, options), RunLog(feedback, len(requests))
+    job, known = compass_tried(requests, job, folder, feedback, workers)
+    alone = partial(_oriented_alone, requests, job, KeptOrientations(folder, feedback, known), told)
     if joint:
         share = share[0], share[0] + part_of_photo * (share[1] - share[0])
-        yield from _oriented_together(requests, job, folder, told, share, workers)
+        yield from _oriented_together(requests, job, alone, told, share, workers)
     else:
-        yield from _oriented_alone(requests, job, folder, told, (*share, part_of_photo), workers)
+        yield from alone((*share, part_of_photo), workers)
     told.end()
     checkpoint(FeedbackProgress(feedback), share[1])
 
 
-def _oriented_alone(requests, job, folder, told, share, workers):
+def _oriented_alone(requests, job, kept, told, share, workers):
     """Orient the photographs one by one; `share` ends with the orientation's part of each photo's share."""
     from ...core.many import station_of
 
     feedback, count, (start, stop, part_of_photo) = told.feedback, len(requests), share
-    progress, kept = subtask(FeedbackProgress(feedback), start, stop), KeptOrientations(folder, feedback)
+    progress = subtask(FeedbackProgress(feedback), start, stop)
     missing = [r for r in requests if r is not None and kept.is_missing(r, job.dem, job.options)]
     with team_for(job, workers, len(missing), feedback) as team:
-        tasks = [(request, None) for request in missing]
-        team.begin(tasks, progress, [station_of(request) for request in missing])
+        team.begin([(request, None) for request in missing], progress, [station_of(request) for request in missing])
         for index, request in enumerate(requests):
             name = tr("A point without a photo") if request is None else Path(request.path).name
             told.start(name)
@@ -213,19 +215,18 @@ def _oriented_alone(requests, job, folder, told, share, workers):
             yield oriented
 
 
-def _oriented_together(requests, job, folder, told, share, workers):
+def _oriented_together(requests, job, alone, told, share, workers):
     """Orient all photographs alone, then solve them together."""
     from ...core.joint.ties import has_features
     from ...core.many import JOINT_PART, look_again, outcomes_of
 
     middle, feedback = share[0] + JOINT_PART * (share[1] - share[0]), told.feedback
-    photos = list(_oriented_alone(requests, job, folder, told, (share[0], middle, 1.0), workers))
+    photos = list(alone((share[0], middle, 1.0), workers))
     feedback.setProgressText(tr("Photographs that help one another"))
     progress = subtask(FeedbackProgress(feedback), middle, share[1])
     if not has_features():
         feedback.pushInfo(tr("Without OpenCV 4.4 or newer the photos are not compared by common features."))
-    tasks = [(request, None) for request in requests]
-    orient_all = partial(outcomes_of, job, workers=workers)
+    tasks, orient_all = [(request, None) for request in requests], partial(outcomes_of, job, workers=workers)
     together = look_again(tasks, photos, orient_all, progress, job.options)
     helped = [(before, after) for before, after in zip(photos, together) if before is not after]
     feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
