@@ -99,7 +99,7 @@ bench-views: setup ## Headings of views cut from real photographs: DATA=folder [
 	@$(PYTHON) benchmarks/bench_views.py "$(DATA)" --count $(or $(COUNT),6) --seed $(or $(SEED),1) --compass $(COMPASS) $(if $(JOINT),--joint)
 
 .PHONY: bench-regions
-bench-regions: setup ## Headings region by region, with nothing fitted on them: [DATA=../shared/data] [COMPASS=ignore|prior] [JOBS=1]
+bench-regions: setup ## Headings region by region, with nothing fitted on them: [DATA=../shared/data] [COMPASS=ignore|prior|random] [JOBS=1]
 	@$(PYTHON) benchmarks/bench_regions.py "$(or $(DATA),../shared/data)" --compass $(COMPASS) --jobs $(or $(JOBS),1)
 
 .PHONY: bench-locate

@@ -2676,6 +2676,16 @@
         <translation>Obere Grenze der Änderung, 90 % (° je Stunde)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{count} photos try the compass of each camera first.</source>
+        <translation>Zuerst wird der Kompass jeder Kamera an {count} Fotos erprobt.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
+        <translation>Der Kompass von {camera} widerspricht den Horizontlinien: Etwa {percent} % seiner Angaben gelten als wertlos.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -3535,8 +3545,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
-        <translation>Ignorieren: Die Blickrichtung wird ohne Kompass bestimmt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
+        <translation>Ignorieren: Die Blickrichtung wird ohne Kompass bestimmt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Ab vier Fotos einer Kamera wird zuerst eine Stichprobe ausgerichtet, und ein Kompass, der den Horizontlinien widerspricht, zählt kaum noch.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5920,6 +5930,11 @@
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
         <translation>Die Objekte wurden auf einem Bild von {width} x {height} Pixeln gezeichnet, das keine verkleinerte Kopie dieses Fotos von {photo_width} x {photo_height} Pixeln ist. Zeichnen Sie sie auf dem Foto selbst.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
+        <translation>Der Kompass dieser Kamera widerspricht den Horizontlinien anderer Fotos des Laufs und zählt deshalb kaum.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

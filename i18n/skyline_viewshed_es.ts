@@ -2676,6 +2676,16 @@
         <translation>Límite superior del cambio, 90 % (° por hora)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{count} photos try the compass of each camera first.</source>
+        <translation>Primero se prueba la brújula de cada cámara con {count} fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
+        <translation>La brújula de {camera} contradice las líneas del horizonte: cerca del {percent} % de sus indicaciones se consideran inútiles.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -3535,8 +3545,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
-        <translation>Ignorar: el rumbo se determina sin la brújula. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
+        <translation>Ignorar: el rumbo se determina sin la brújula. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone. A partir de cuatro fotos de una cámara, primero se orienta una muestra, y una brújula que contradice las líneas del horizonte apenas cuenta.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5920,6 +5930,11 @@
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
         <translation>Sus objetos se dibujaron sobre una imagen de {width} x {height} píxeles, que no es una copia reducida de esta foto de {photo_width} x {photo_height} píxeles. Dibújelos sobre la propia foto.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
+        <translation>La brújula de esta cámara contradice las líneas del horizonte de otras fotos del proceso, por lo que apenas cuenta.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

@@ -2676,6 +2676,16 @@
         <translation>Limite supérieure de la variation, 90 % (° par heure)</translation>
     </message>
     <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{count} photos try the compass of each camera first.</source>
+        <translation>La boussole de chaque appareil est d'abord mise à l'essai sur {count} photos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
+        <translation>Les lignes d'horizon contredisent la boussole de {camera} : environ {percent} % de ses indications sont tenues pour sans valeur.</translation>
+    </message>
+    <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
         <location filename="../algorithms/which_photos.py"/>
         <source>Photo point</source>
@@ -3535,8 +3545,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
-        <translation>Ignorer : l'azimut de visée est déterminé sans la boussole. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
+        <translation>Ignorer : l'azimut de visée est déterminé sans la boussole. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte. À partir de quatre photos d'un appareil, un échantillon est orienté d'abord, et une boussole que les lignes d'horizon contredisent ne compte plus guère.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5920,6 +5930,11 @@
         <location filename="../core/base/upright.py"/>
         <source>Its features were drawn on a picture of {width} x {height} pixels, which is no reduced copy of this photo of {photo_width} x {photo_height} pixels. Draw them on the photo itself.</source>
         <translation>Les entités ont été dessinées sur une image de {width} x {height} pixels, qui n'est pas une copie réduite de cette photo de {photo_width} x {photo_height} pixels. Dessinez-les sur la photo elle-même.</translation>
+    </message>
+    <message>
+        <location filename="../core/batch.py"/>
+        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
+        <translation>Les lignes d'horizon d'autres photos du traitement contredisent la boussole de cet appareil ; elle ne compte donc guère.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

@@ -165,7 +165,8 @@ def compass(name="COMPASS"):
         ),
         tr(
             "Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide "
-            "enough for the usual errors of phones; a clear skyline overrules it."
+            "enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a "
+            "sample is oriented first, and a compass that contradicts the skylines counts for little."
         ),
     )
 
@@ -191,10 +192,7 @@ def number(name, label, default, text, minimum=None, maximum=None, optional=Fals
 def eye_height(default=1.7):
     """Height of the camera above the ground."""
     return distance(
-        "EYE_HEIGHT",
-        tr("Camera height above ground (m)"),
-        default,
-        tr("Metres above the elevation model."),
+        "EYE_HEIGHT", tr("Camera height above ground (m)"), default, tr("Metres above the elevation model.")
     )
 
 
