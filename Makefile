@@ -102,6 +102,10 @@ bench-views: setup ## Headings of views cut from real photographs: DATA=folder [
 bench-regions: setup ## Headings region by region, with nothing fitted on them: [DATA=../shared/data] [COMPASS=ignore|prior|random] [JOBS=1]
 	@$(PYTHON) benchmarks/bench_regions.py "$(or $(DATA),../shared/data)" --compass $(COMPASS) --jobs $(or $(JOBS),1)
 
+.PHONY: bench-joint
+bench-joint: setup ## Photographs of a walk together and alone: [DATA=../shared/data] [COMPASS=ignore|prior] [JOBS=1]
+	@$(PYTHON) benchmarks/bench_joint.py "$(or $(DATA),../shared/data)" --compass $(COMPASS) --jobs $(or $(JOBS),1)
+
 .PHONY: bench-locate
 bench-locate: setup ## Places of photographs whose position is withheld: [DATA=../shared/data]
 	@$(PYTHON) benchmarks/bench_locate.py "$(or $(DATA),../shared/data)"
