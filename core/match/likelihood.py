@@ -20,6 +20,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft, special
 
+from ..base import imaging
+
 EDGE_ROW = 0.5
 """Rows of evidence are first terrain pixels: a boundary at r, in pixel centres, is the upper edge of row r + 0.5."""
 
@@ -153,7 +155,7 @@ class EvidenceStack:
             damp = np.exp(-0.5 * np.square(tolerance * frequency)).astype(np.float32)
             blurred = fft.irfft(spectrum * damp[:, None], n=size, axis=0)[:height]
             blurred = np.maximum(blurred, 0)
-            above = np.minimum(np.cumsum(blurred, axis=0) + leaves, 1)
+            above = np.minimum(imaging.accumulate_down(np.add, blurred) + leaves, 1)
             other = 1 - (1 - self.options.above_share) * above
             top = special.ndtr(-np.arange(height) / tolerance).astype(np.float32)[:, None] * self._leaving
             table[level] = np.log((1 - share) / share * (height * blurred + top) + other)

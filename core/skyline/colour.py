@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..base import imaging
 from .features import means_above_below, sum_above
 from .seam import best_line
 
@@ -77,7 +78,7 @@ def relearn_sky(appearance, probability, ratio):
         Returned if nothing can be learned.
     """
     height = len(probability)
-    ground = probability.cumsum(0)
+    ground = imaging.accumulate_down(np.add, probability)
     above = np.pad(ground[:-MARGIN_PX], ((MARGIN_PX, 0), (0, 0)))
     below = np.pad(ground[MARGIN_PX:], ((0, MARGIN_PX), (0, 0)), constant_values=1)
     likeliest = probability.argmax(0)

@@ -233,7 +233,7 @@ def _skyline(line, placed, probability, crop, shape):
     top, _, left, _ = crop
     inner_height, inner_width = probability.shape
     reach = max(2, round(0.005 * inner_height))
-    total = np.vstack([np.zeros(inner_width), probability.cumsum(0)])
+    total = np.vstack([np.zeros(inner_width), imaging.accumulate_down(np.add, probability)])
     columns = np.arange(inner_width)
     low, high = np.maximum(line - reach, 0), np.minimum(line + reach + 1, inner_height)
     inside = total[high, columns] - total[low, columns]
@@ -249,7 +249,7 @@ def _ridges(appearance, probability):
     strength = np.expm1(appearance.long_edges[6])
     above, below = means_above_below(strength, 24)
     standing_out = np.log((strength + 0.2) / ((above + below) / 2 + 0.2))
-    return np.maximum(standing_out, 0) * np.clip(probability.cumsum(0), 0, 1)
+    return np.maximum(standing_out, 0) * np.clip(imaging.accumulate_down(np.add, probability), 0, 1)
 
 
 def _sky_map(log_odds, crop, shape):

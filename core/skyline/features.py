@@ -161,7 +161,7 @@ def means_above_below(values, window_px):
     steps = np.arange(1, window + 1).reshape((-1,) + (1,) * (values.ndim - 1))
     # Cumulative sums of the column extended by its end rows; the extensions are computed, not stored.
     total[1 : window + 1] = steps * values[0]
-    np.cumsum(values, 0, out=total[window + 1 : window + 1 + height], dtype=np.float64)
+    total[window + 1 : window + 1 + height] = imaging.accumulate_down(np.add, values, np.float64)
     total[window + 1 : window + 1 + height] += window * values[0]
     total[window + 1 + height :] = total[window + height] + steps * values[-1]
     at = total[window : window + height]
@@ -173,7 +173,7 @@ def means_above_below(values, window_px):
 def sum_above(values):
     """Sum of all rows above each row, (H, W)."""
     total = np.zeros_like(values)
-    np.cumsum(values[:-1], 0, out=total[1:])
+    total[1:] = imaging.accumulate_down(np.add, values[:-1])
     return total
 
 
@@ -181,7 +181,7 @@ def strongest_above(values, gap_px=4):
     """Largest value at least `gap_px` rows above each row, 0 near the top, (H, W)."""
     strongest = np.zeros_like(values)
     if values.shape[0] > gap_px:
-        np.maximum.accumulate(values[:-gap_px], 0, out=strongest[gap_px:])
+        strongest[gap_px:] = imaging.accumulate_down(np.maximum, values[:-gap_px])
     return strongest
 
 

@@ -90,7 +90,7 @@ def row_probability(log_odds, softness=SOFTNESS):
     odds = np.clip(log_odds, -ODDS_LIMIT, ODDS_LIMIT).astype(np.float32)
     height = len(odds)
     split = np.zeros_like(odds)
-    np.cumsum(odds[:-1], 0, out=split[1:])
+    split[1:] = imaging.accumulate_down(np.add, odds[:-1])
     chance = np.exp((split - split.max(0)) / softness)
     return TRUSTED * chance / chance.sum(0) + (1 - TRUSTED) / height
 

@@ -143,3 +143,14 @@ def test_borders_and_what_they_touch_are_unknown():
     assert unknown[:3].all() and unknown[-1:].all() and unknown[:, -4:].all()
     assert not unknown[3:-1, :-4].any()
     assert small[5, 5] == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize("step", [np.add, np.maximum])
+@pytest.mark.parametrize("dtype", [None, np.float64])
+def test_accumulating_by_rows_gives_the_digits_of_numpy(step, dtype):
+    values = np.random.default_rng(3).normal(size=(200, 7, 2)).astype(np.float32)
+    found = imaging.accumulate_down(step, values, dtype)
+    wanted = step.accumulate(values, 0, dtype=dtype)
+    assert found.dtype == wanted.dtype
+    np.testing.assert_array_equal(found, wanted)
+    assert imaging.accumulate_down(step, values[:0]).shape == (0, 7, 2)
