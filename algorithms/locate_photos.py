@@ -125,7 +125,7 @@ class LocatePhotos(DemAlgorithm):
         spacing = tr("Distance between the places that are tried; the best of them are moved afterwards.")
         step = shared.distance("SPACING", tr("Spacing of the places (m)"), 250.0, spacing, minimum=10.0)
         self.addParameter(shared.advanced(step))
-        self.addParameter(shared.advanced(shared.compass()))
+        self.addParameter(shared.advanced(shared.compass(tested=False)))
         text = tr("Field of view of the upright picture. NULL: computed from the focal length in the file.")
         field = shared.number_field("HFOV_FIELD", tr("Field with the horizontal field of view (°)"), text)
         self.addParameter(shared.advanced(field))

@@ -1,7 +1,7 @@
 """Compare the photographs of a walk solved together with the same ones alone: `make bench-joint [DATA=folder]`.
 
-Of each folder with truth.csv all photographs take part, and those of known heading (group `good`) are scored that have a
-neighbour: another photograph within 200 m, or of the same camera within an hour. Writes `build/joint.json`.
+All photographs of each folder with truth.csv take part. Scored are those of known heading (group `good`) with a
+neighbour: another photograph within 200 m, or one of the same camera within an hour. Writes `build/joint.json`.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ HOUR_S = 3600.0
 
 
 def main(arguments=None):
+    """Measure all folders, print a line for each, and write the file."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data", type=Path, help="folder of folders with truth.csv, photos/ and dem/")
     parser.add_argument("--compass", choices=("ignore", "prior"), default="ignore")
@@ -46,7 +47,7 @@ def main(arguments=None):
 
 
 def measure(folder, compass, jobs):
-    """Orient the photographs of a folder alone and together; rows of those that are scored."""
+    """Orient the photographs of a folder alone and together by `jobs` processes; return rows of those scored."""
     lines, dem = list(read_truth(folder)), open_dem(str(dem_of(folder)))
     tasks, orient_all = [(request_of(folder, line), None) for line in lines], spread_over(None, jobs)
     job, outcomes = trusted_outcomes(OrientJob(dem, OrientOptions(compass=compass)), tasks, orient_all)

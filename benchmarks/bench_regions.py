@@ -5,8 +5,8 @@ method count. What is fitted (the skyline weights, the sky network, the calibrat
 on public pictures with sky labels and on the 30 masks, none of which is a photograph of a region here; so each row is
 measured with nothing fitted on its region, except the spread of the compass (`CompassOptions`). What a person chose
 with a region in sight is listed in docs/accuracy.md.
-A folder is a run, whose compasses are tried on a sample as in the product. COMPASS=random uses readings that were drawn at
-random instead of the recorded ones: a collection of lost compasses.
+Each folder is one run, whose compasses are tested on a sample as in the plugin. COMPASS=random replaces the recorded
+readings by random ones.
 Writes `build/regions-ignore.json`, `regions-prior.json` or `regions-random.json`, by the use of the compass.
 """
 

@@ -206,6 +206,9 @@ def orient_many(
 ) -> Iterator[OrientedPhoto]:
     """Orient many photographs; photographs of one station share its horizon.
 
+    With compass='prior' a sample of them tests the compass of each camera first, and one that often contradicts the
+    skylines counts for less than in `orient`.
+
     Parameters
     ----------
     photos : folder, or iterable of what `orient` takes
@@ -215,6 +218,7 @@ def orient_many(
         Processes: 1 is this one, 0 all cores but one as far as memory allows. The answers are the same.
     client : dask.distributed.Client or None
         Does the work on a Dask cluster, whose workers must reach the files by the same paths. See docs/scale.md.
+        With compass='prior' this process reads up to 60 of the files too.
     joint : bool
         Solve the photographs of a walk together (docs/walks.md); all results stay in memory (3 MB each) until the end.
 
@@ -241,7 +245,8 @@ def orient_many(
         together = look_again(tasks, list(together), again, subtask(whole, JOINT_PART, 1.0), job.options)
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
-        whole.report(1.0 if joint else (index + 1) / len(listed))
+        if joint or index + 1 == len(listed):
+            whole.report(1.0)
 
 
 def horizon_profile(

@@ -24,16 +24,16 @@ from .base.progress import SILENT, subtask
 from .base.terrain import Observer, ground_elevation_m
 from .io.photo import read_metadata, read_photo
 from .match.landmarks import Landmark
-from .match.prior import HeadingPrior, camera_prior, compass_prior, true_heading_deg
+from .match.prior import CompassOptions, HeadingPrior, camera_prior, compass_prior, true_heading_deg
 from .pipeline import Hints, HorizonCache, OrientOptions, Setting, orient_photo, other_eyes
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024
 """Long side of the pictures that the robust method and the figures use [pixels]; the evidence itself uses 512."""
 
-
 DISTRUSTED_NOTE = Message(
-    "The compass of this camera contradicts the skylines of other photos of the run, so it counts for little."
+    "In other photos of this run, the compass of this camera often contradicts the skyline, so its reading counts for "
+    "less."
 )
 
 
@@ -140,7 +140,9 @@ def _orient(request, photo, dem, options, cache, progress):
     prior = camera_prior(metadata, request.hfov_deg)
     prior = replace(prior, camera=_distorted(prior.camera, request.k1, request.k2))
     compass = recorded_heading_deg(metadata, longitude, latitude)
-    believed = compass_prior(compass, options.compass_of(metadata.camera)) if options.compass == "prior" else None
+    share = dict(options.compass_shares).get(metadata.camera, CompassOptions.outlier_share)
+    reading = compass if options.compass == "prior" else None
+    believed = compass_prior(reading, CompassOptions().with_outliers(share))
     hints = _hints(request, metadata, dem, observer, believed)
     if hints.heading is None:
         hints = replace(hints, recorded_heading_deg=compass)
@@ -152,7 +154,8 @@ def _orient(request, photo, dem, options, cache, progress):
     setting = Setting(observer, prior, hints, horizon, inner, error, eyes)
     oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
     notes = metadata.notes + eye_notes(request, metadata, oriented) + oriented.orientation.notes
-    if hints.heading is believed and metadata.camera in dict(options.compass_shares):
+    used = believed is not None and hints.heading is believed and not paper
+    if used and share > CompassOptions.outlier_share:
         notes += (DISTRUSTED_NOTE,)
     limit_m = altitude_limit_m(metadata, horizon.cell_m, options.eyes.largest_altitude_error_m, error)
     answer = doubted(

@@ -164,7 +164,8 @@ def _rows_of_chunks(given: argparse.Namespace, bar: Bar) -> list[Any]:
         raise ValueError("--results keeps the points only; leave out --report, --viewsheds and --joint, or --results")
     tasks = [(api.PhotoRequest(path, **_facts(given)), None) for path in _photos(given.photos, given.recursive)]
     client = _client(given)
-    job, _ = with_trust(OrientJob(_dem(given), _options(given)), tasks, spread_over(client, given.workers), Quietly(bar))
+    job, orient_all = OrientJob(_dem(given), _options(given)), spread_over(client, given.workers)
+    job, _ = with_trust(job, tasks, orient_all, Quietly(bar), given.results)
     return list(rows_with_files(RowsOfChunk(job, given.max_distance), tasks, given.results, client, given.workers, bar))
 
 

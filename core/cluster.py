@@ -109,7 +109,9 @@ def cluster_outcomes(client, job, tasks, progress):
     Outcome
         In order.
     """
-    for outcomes in _run(PhotosOfChunk(job), _chunks(tasks), client, 1, progress):
+    # No chunk is so large that threads wait for it without one of their own.
+    size = min(CHUNK, -(-len(tasks) // _threads(client)))
+    for outcomes in _run(PhotosOfChunk(job), _chunks(tasks, size), client, 1, progress):
         yield from outcomes
 
 
@@ -173,7 +175,7 @@ def rows_with_files(work, tasks, folder, client=None, workers=1, progress=SILENT
     """
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    chunks = _chunks(tasks)
+    chunks = _chunks(tasks, CHUNK)
     files = [folder / f"chunk-{number:06d}-{_mark(work, chunk)}.json" for number, chunk in enumerate(chunks)]
     # Asked once: another run may work in the same folder, and a chunk must not get the rows of another.
     missing = [(chunk, file) for chunk, file in zip(chunks, files) if not file.exists()]
@@ -185,8 +187,12 @@ def rows_with_files(work, tasks, folder, client=None, workers=1, progress=SILENT
         yield from map(_restored, json.loads(file.read_text(encoding="utf-8")))
 
 
-def _chunks(tasks):
-    return [tasks[start : start + CHUNK] for start in range(0, len(tasks), CHUNK)]
+def _chunks(tasks, size):
+    return [tasks[start : start + size] for start in range(0, len(tasks), max(size, 1))]
+
+
+def _threads(client):
+    return max(sum(client.nthreads().values()), 1)
 
 
 def _mark(work, chunk):
@@ -231,7 +237,7 @@ class _Here:
 def _on_cluster(work, chunks, client, progress):
     waiting: deque = deque(chunks)
     futures: deque = deque()
-    most = IN_FLIGHT * max(sum(client.nthreads().values()), 1)
+    most = IN_FLIGHT * _threads(client)
     try:
         while waiting or futures:
             while waiting and len(futures) < most:

@@ -15,7 +15,7 @@ from .horizon.horizon import HorizonOptions, horizon_profile
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
 from .match.inputs import Eye, EyeOptions, MatchInputs, differs, eye_offsets_m
 from .match.landmarks import match_with_landmarks
-from .match.prior import CameraPrior, CompassOptions, HeadingPrior
+from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
 from .paper.horizon import PaperHorizonOptions, paper_horizon
 from .paper.method import PaperOptions, orient_by_paper
@@ -37,10 +37,11 @@ class OrientOptions:
     compass : str
         'ignore' never uses the recorded heading; 'prior' uses it as a soft prior.
     horizon, inner, eyes, skyline, robust : HorizonOptions, InnerOptions, EyeOptions, SkylineOptions, RobustOptions
+        Options of the stages of the robust method.
     paper : PaperOptions
-        Options of the stages of the robust method, and of the published one.
+        Options of the published method.
     compass_shares : tuple of (str, float)
-        Devices whose compasses are worse than usual, and their shares of worthless readings (`core.trusting`).
+        Cameras whose compasses are worse than usual, and their shares of worthless readings (`core.trusting`).
     """
 
     method: str = "robust"
@@ -56,10 +57,6 @@ class OrientOptions:
     def __post_init__(self):
         if self.method not in METHODS or self.compass not in COMPASS_USES:
             raise ValueError(f"method must be one of {METHODS} and compass one of {COMPASS_USES}, not {self}")
-
-    def compass_of(self, device):
-        """`CompassOptions` for the photographs of a device."""
-        return CompassOptions(outlier_share=dict(self.compass_shares).get(device, CompassOptions.outlier_share))
 
     @property
     def horizon_of_method(self):

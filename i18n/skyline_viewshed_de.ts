@@ -2677,13 +2677,19 @@
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>{count} photos try the compass of each camera first.</source>
-        <translation>Zuerst wird der Kompass jeder Kamera an {count} Fotos erprobt.</translation>
+        <source>{count} photos are oriented first to test the compasses of the cameras.</source>
+        <translation>Zuerst werden {count} Fotos ausgerichtet, um die Kompasse der Kameras zu prüfen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
-        <translation>Der Kompass von {camera} widerspricht den Horizontlinien: Etwa {percent} % seiner Angaben gelten als wertlos.</translation>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
+        <translation>{camera}: Etwa {percent} % der Kompassangaben gelten als wertlos, weil sie den Horizontlinien widersprechen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3366,11 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Photographs that help one another</source>
         <translation>Fotos, die einander helfen</translation>
     </message>
@@ -3530,11 +3531,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Aufgezeichnete Kompassrichtung</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/parameters.py"/>
         <source>ignore</source>
         <translation>nicht verwenden</translation>
     </message>
@@ -3545,8 +3541,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
-        <translation>Ignorieren: Die Blickrichtung wird ohne Kompass bestimmt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Ab vier Fotos einer Kamera wird zuerst eine Stichprobe ausgerichtet, und ein Kompass, der den Horizontlinien widerspricht, zählt kaum noch.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorieren: Die Blickrichtung wird ohne Kompass bestimmt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Hat eine Kamera vier oder mehr Fotos, wird zuerst eine Stichprobe davon ausgerichtet; widerspricht ihr Kompass oft den Horizontlinien, zählt er weniger.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Aufgezeichnete Kompassrichtung</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5933,8 +5939,8 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
-        <translation>Der Kompass dieser Kamera widerspricht den Horizontlinien anderer Fotos des Laufs und zählt deshalb kaum.</translation>
+        <source>In other photos of this run, the compass of this camera often contradicts the skyline, so its reading counts for less.</source>
+        <translation>In anderen Fotos dieses Laufs widerspricht der Kompass dieser Kamera oft der Horizontlinie; seine Angabe zählt deshalb weniger.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

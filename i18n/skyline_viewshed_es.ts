@@ -2677,13 +2677,19 @@
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>{count} photos try the compass of each camera first.</source>
-        <translation>Primero se prueba la brújula de cada cámara con {count} fotos.</translation>
+        <source>{count} photos are oriented first to test the compasses of the cameras.</source>
+        <translation>Primero se orientan {count} fotos para comprobar las brújulas de las cámaras.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
-        <translation>La brújula de {camera} contradice las líneas del horizonte: cerca del {percent} % de sus indicaciones se consideran inútiles.</translation>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Cancelado tras {done} de {count} fotos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
+        <translation>{camera}: cerca del {percent} % de las indicaciones de la brújula se consideran inútiles, porque contradicen las líneas del horizonte.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3366,11 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Cancelado tras {done} de {count} fotos.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Photographs that help one another</source>
         <translation>Fotografías que se ayudan entre sí</translation>
     </message>
@@ -3530,11 +3531,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Rumbo de brújula registrado</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/parameters.py"/>
         <source>ignore</source>
         <translation>ignorar</translation>
     </message>
@@ -3545,8 +3541,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
-        <translation>Ignorar: el rumbo se determina sin la brújula. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone. A partir de cuatro fotos de una cámara, primero se orienta una muestra, y una brújula que contradice las líneas del horizonte apenas cuenta.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorar: el rumbo se determina sin la brújula. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Si una cámara tiene cuatro fotos o más, primero se orienta una muestra de ellas; si su brújula contradice a menudo las líneas del horizonte, cuenta menos.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Rumbo de brújula registrado</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5933,8 +5939,8 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
-        <translation>La brújula de esta cámara contradice las líneas del horizonte de otras fotos del proceso, por lo que apenas cuenta.</translation>
+        <source>In other photos of this run, the compass of this camera often contradicts the skyline, so its reading counts for less.</source>
+        <translation>En otras fotos de este proceso, la brújula de esta cámara contradice a menudo la línea del horizonte, por lo que su indicación cuenta menos.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

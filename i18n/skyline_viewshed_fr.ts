@@ -2677,13 +2677,19 @@
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>{count} photos try the compass of each camera first.</source>
-        <translation>La boussole de chaque appareil est d'abord mise à l'essai sur {count} photos.</translation>
+        <source>{count} photos are oriented first to test the compasses of the cameras.</source>
+        <translation>{count} photos sont d'abord orientées pour vérifier les boussoles des appareils.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/compass_trial.py"/>
-        <source>The compass of {camera} contradicts the skylines: about {percent} % of its readings count as worthless.</source>
-        <translation>Les lignes d'horizon contredisent la boussole de {camera} : environ {percent} % de ses indications sont tenues pour sans valeur.</translation>
+        <location filename="../algorithms/shared/orientation.py"/>
+        <source>Cancelled after {done} of {count} photos.</source>
+        <translation>Annulé après {done} photos sur {count}.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/compass_trial.py"/>
+        <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
+        <translation>{camera} : environ {percent} % des indications de la boussole sont tenues pour sans valeur, car elles contredisent les lignes d'horizon.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/coverage_outputs.py"/>
@@ -3366,11 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Cancelled after {done} of {count} photos.</source>
-        <translation>Annulé après {done} photos sur {count}.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>Photographs that help one another</source>
         <translation>Photographies qui s’aident mutuellement</translation>
     </message>
@@ -3530,11 +3531,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Recorded compass heading</source>
-        <translation>Azimut de la boussole enregistré</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/parameters.py"/>
         <source>ignore</source>
         <translation>ignorer</translation>
     </message>
@@ -3545,8 +3541,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a sample is oriented first, and a compass that contradicts the skylines counts for little.</source>
-        <translation>Ignorer : l'azimut de visée est déterminé sans la boussole. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte. À partir de quatre photos d'un appareil, un échantillon est orienté d'abord, et une boussole que les lignes d'horizon contredisent ne compte plus guère.</translation>
+        <source>Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it.</source>
+        <translation>Ignorer : l'azimut de visée est déterminé sans la boussole. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Si un appareil a quatre photos ou plus, un échantillon en est d'abord orienté ; si sa boussole contredit souvent les lignes d'horizon, elle compte moins.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/parameters.py"/>
+        <source>Recorded compass heading</source>
+        <translation>Azimut de la boussole enregistré</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -5933,8 +5939,8 @@
     </message>
     <message>
         <location filename="../core/batch.py"/>
-        <source>The compass of this camera contradicts the skylines of other photos of the run, so it counts for little.</source>
-        <translation>Les lignes d'horizon d'autres photos du traitement contredisent la boussole de cet appareil ; elle ne compte donc guère.</translation>
+        <source>In other photos of this run, the compass of this camera often contradicts the skyline, so its reading counts for less.</source>
+        <translation>Sur d'autres photos de ce traitement, la boussole de cet appareil contredit souvent la ligne d'horizon ; son indication compte donc moins.</translation>
     </message>
     <message>
         <location filename="../core/batch.py"/>

@@ -34,35 +34,31 @@ class KeptOrientations:
         Empty if not requested.
     feedback : QgsProcessingFeedback
     known : dict of int to OrientedPhoto
-        Answers that this run has already, by the `id` of the request; their files are written.
+        Answers that this run has already, by the number of the request; they are used up.
     """
 
-    def __init__(self, folder, feedback, known=None):
-        self.folder, self.feedback, self.known, self._taken = folder, feedback, known or {}, set()
+    def __init__(self, folder, feedback, known):
+        self.folder, self.feedback, self.known, self._taken = folder, feedback, known, set()
         self._files: dict = {}
 
-    def is_missing(self, request, dem, options):
+    def is_missing(self, number, request, job):
         """Tell whether a request must be oriented: neither this run nor a file of an earlier one has its result."""
         from ...core.io.orientation_file import holds, orientation_mark
 
-        if not self.folder:
-            return id(request) not in self.known
-        path = Path(self.folder) / f"{unused_name(Path(request.path).stem, self._taken)}.npz"
-        mark = orientation_mark(request, dem, options)
-        held = holds(path, mark)
-        self._files[id(request)] = path, mark, held
-        return not held and id(request) not in self.known
+        if self.folder:
+            path = Path(self.folder) / f"{unused_name(Path(request.path).stem, self._taken)}.npz"
+            mark = orientation_mark(request, job.dem, job.options)
+            self._files[number] = path, mark, holds(path, mark)
+        return number not in self.known and not (self.folder and self._files[number][2])
 
-    def orient(self, request, team, progress):
+    def orient(self, number, request, team, progress):
         """Return the `OrientedPhoto` of a request as it is known, from its file, or else the next of the team."""
         from ...core.io.orientation_file import packed, unpacked
 
-        if id(request) in self.known:
-            return self.known[id(request)]
-        if not self.folder:
-            return oriented_by(team, progress)
-        path, mark, held = self._files[id(request)]
-        if held:
+        path, mark, held = self._files.pop(number, (None, "", False))
+        if number in self.known:
+            oriented = self.known.pop(number)
+        elif held:
             oriented = unpacked(path, mark)
             if oriented is not None:
                 text = tr("{name}: taken from {path}").format(name=Path(request.path).name, path=path)
@@ -71,7 +67,7 @@ class KeptOrientations:
             oriented = team.job()((request, None), progress)  # its tree is whole, its arrays are not
         else:
             oriented = oriented_by(team, progress)
-        if oriented.orientation.status != "failed":
+        if path is not None and oriented.orientation.status != "failed":
             write_whole(path, packed(oriented, mark))
         return oriented
 

@@ -13,7 +13,7 @@ from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
-from .compass_trial import compass_tried
+from .compass_trial import compass_tested
 from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, number_or_none
 from .i18n import in_users_language, marked, tr
@@ -178,7 +178,7 @@ def orient_each(
     if doubt is not None:
         feedback.pushWarning(in_users_language(doubt))
     job, told = OrientJob(dem, options), RunLog(feedback, len(requests))
-    job, known = compass_tried(requests, job, folder, feedback, workers)
+    job, known = compass_tested(requests, job, folder, feedback, workers)
     alone = partial(_oriented_alone, requests, job, KeptOrientations(folder, feedback, known), told)
     if joint:
         share = share[0], share[0] + part_of_photo * (share[1] - share[0])
@@ -193,9 +193,9 @@ def _oriented_alone(requests, job, kept, told, share, workers):
     """Orient the photographs one by one; `share` ends with the orientation's part of each photo's share."""
     from ...core.many import station_of
 
-    feedback, count, (start, stop, part_of_photo) = told.feedback, len(requests), share
-    progress = subtask(FeedbackProgress(feedback), start, stop)
-    missing = [r for r in requests if r is not None and kept.is_missing(r, job.dem, job.options)]
+    feedback, count, part_of_photo = told.feedback, len(requests), share[2]
+    progress = subtask(FeedbackProgress(feedback), *share[:2])
+    missing = [r for number, r in enumerate(requests) if r is not None and kept.is_missing(number, r, job)]
     with team_for(job, workers, len(missing), feedback) as team:
         team.begin([(request, None) for request in missing], progress, [station_of(request) for request in missing])
         for index, request in enumerate(requests):
@@ -203,7 +203,7 @@ def _oriented_alone(requests, job, kept, told, share, workers):
             told.start(name)
             part = subtask(progress, index / count, (index + part_of_photo) / count)
             try:
-                oriented = without_photo() if request is None else kept.orient(request, team, part)
+                oriented = without_photo() if request is None else kept.orient(index, request, team, part)
             except (TerrainError, OutputError):
                 raise
             except Exception as error:  # a fault of ours, but no reason to lose the other photographs

@@ -154,21 +154,22 @@ def method(name="METHOD", text=None):
     )
 
 
-def compass(name="COMPASS"):
-    """Choice whether the recorded heading may be used."""
-    return explained(
-        QgsProcessingParameterEnum(
-            name,
-            tr("Recorded compass heading"),
-            [tr("ignore"), tr("use as a hint")],
-            defaultValue=COMPASS_USES.index("ignore"),
-        ),
-        tr(
-            "Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide "
-            "enough for the usual errors of phones; a clear skyline overrules it. From four photos of a camera on, a "
-            "sample is oriented first, and a compass that contradicts the skylines counts for little."
-        ),
+def compass(tested=True):
+    """Choice whether the recorded heading may be used; `tested` if a sample tests the compass of each camera."""
+    uses = [tr("ignore"), tr("use as a hint")]
+    text = tr(
+        "Ignore: the heading is found without the compass. Hint: the compass heading is a prior, wide "
+        "enough for the usual errors of phones; a clear skyline overrules it."
     )
+    if tested:
+        text += " " + tr(
+            "If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts "
+            "the skylines, it counts for less."
+        )
+    parameter = QgsProcessingParameterEnum(
+        "COMPASS", tr("Recorded compass heading"), uses, defaultValue=COMPASS_USES.index("ignore")
+    )
+    return explained(parameter, text)
 
 
 def distance(name, label, default, text, minimum=0.0, optional=False):

@@ -226,6 +226,14 @@ def accumulate_down(step: np.ufunc, values: np.ndarray, dtype: Any = None) -> np
     """Running sum or maximum of each column: `step.accumulate(values, 0)` to the last digit, but row by row.
 
     NumPy goes down one column after the other, against the order in memory; whole rows take a sixth of the time.
+
+    Parameters
+    ----------
+    step : numpy.ufunc
+        `np.add` or `np.maximum`.
+    values : (H, ...) array
+    dtype : data type or None
+        Of the result; None keeps that of `values`.
     """
     total = np.array(values, dtype)
     for row in range(1, len(total)):

@@ -1,8 +1,8 @@
-"""How far the compass of a device can be trusted, told by photographs whose skylines decide without it.
+"""Estimate from the skylines of a camera's photographs how far its compass can be trusted.
 
-A telephone whose compass has lost its calibration is wrong in nearly all its photographs, another in hardly any. So the
-share of worthless readings belongs to the device. Each photograph says how much likelier its skyline is if the reading
-is right than if it is worthless; together they give the share (Bayes' rule with a Beta distribution).
+A phone whose compass has lost its calibration is wrong in nearly all photographs, another phone in hardly any, so the
+share of worthless readings belongs to the camera. For each photograph, `support` gives how much likelier its skyline is
+if the reading is right than if it is worthless; `worthless_share` combines the ratios (Bayes' rule with a Beta prior).
 """
 
 from __future__ import annotations
@@ -11,14 +11,15 @@ import numpy as np
 from scipy.special import expit
 
 from ..base.angles import difference
+
 FEWEST_READINGS = 4
-"""Fewer photographs than this do not judge the compass of their device."""
+"""With fewer readings than this, the share of a camera stays as it is."""
 
 KNOWN_READINGS = 1.0
-"""Weight of the usual share, in readings. It is small since devices differ much: their shares lie near 0 or near 1."""
+"""Weight of the usual share [readings]. It is small because cameras differ: their shares lie near 0 or near 1."""
 
 LARGEST_SHARE = 0.9
-"""Something is always left to a compass: a steel roof may have misled it at the place where it was tried."""
+"""No share is larger: a steel roof may have misled the compass in the photographs that tested it."""
 
 
 def support(photo, density, usual):
@@ -50,19 +51,19 @@ def support(photo, density, usual):
     total = float(alone.sum()) + none
     if total <= 0:
         return None
-    right = (ratio - usual) / (1 - usual)
+    right = np.maximum(ratio - usual, 0) / (1 - usual)
     return float((alone @ right + none) / total)
 
 
 def worthless_share(supports, usual):
-    """Expected share of worthless readings of one device.
+    """Expected share of worthless readings of one camera.
 
     Parameters
     ----------
     supports : sequence of float
-        From `support`, of photographs of the device.
+        From `support`, of photographs of the camera.
     usual : float
-        Expected share before any photograph has spoken.
+        Expected share before any photograph is considered.
 
     Returns
     -------
@@ -83,7 +84,7 @@ def worthless_share(supports, usual):
 
 
 def shares_of(photos, density, usual):
-    """Devices whose compasses are worse than usual, with their shares of worthless readings.
+    """Cameras whose compasses are worse than usual, with their shares of worthless readings.
 
     Parameters
     ----------
@@ -104,4 +105,3 @@ def shares_of(photos, density, usual):
             told.setdefault(photo.metadata.camera, []).append(value)
     shares = {device: worthless_share(values, usual) for device, values in told.items()}
     return tuple(sorted((device, share) for device, share in shares.items() if share > usual))
-

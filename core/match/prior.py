@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -188,6 +188,12 @@ class CompassOptions:
             raise ValueError(f"no phone's compass is better than 5 degrees in the mountains, not {self.sigma_deg}")
         if not 0 < self.outlier_share + 2 * self.quarter_turn_share + self.half_turn_share < 1:
             raise ValueError("the shares of bad readings must add up to between 0 and 1")
+
+    def with_outliers(self, share):
+        """Return the options for another share of worthless readings; the shares of all others keep their ratios."""
+        rest = (1 - share) / (1 - self.outlier_share)
+        quarter, half = rest * self.quarter_turn_share, rest * self.half_turn_share
+        return replace(self, outlier_share=share, quarter_turn_share=quarter, half_turn_share=half)
 
 
 def true_heading_deg(metadata, declination_deg=None):

@@ -3,8 +3,8 @@
 Lens, sharpening and compression spread the step from sky to terrain over several rows. The score of a row finds this
 ramp but prefers its upper end, since some features count the rest of the ramp as clutter above the boundary. The line
 is moved in two steps: to the ramp's centre of gravity, then to the row that parts the ramp into the same areas of sky
-and terrain (Tabatabai and Mitchell 1984, doi 10.1109/TPAMI.1984.4767502). Both places are those of the step for every
-symmetric blur, whatever its width.
+and terrain (Tabatabai and Mitchell 1984, doi 10.1109/TPAMI.1984.4767502). For a symmetric blur that fits into these
+rows, both are the place of the step.
 """
 
 from __future__ import annotations
@@ -15,24 +15,25 @@ from scipy.ndimage import gaussian_filter1d
 from .appearance import EDGE_SIGMAS_PX
 
 CENTRE_REACH_PX = 2
-"""Rows on each side of the line in which the centre of gravity is sought. Farther down, the terrain's own texture would
-draw the line into the ground."""
+"""Distance from the line within which the centre of gravity is sought; farther down, the texture of the terrain would
+draw the line into the ground [rows]."""
 
 AREA_REACH_PX = 4
-"""Rows on each side of the centre whose areas of sky and terrain are compared."""
+"""Distance from the centre within which the areas of sky and terrain are compared [rows]."""
 
 LEVEL_ROWS = 3
-"""The outermost of these rows give the colours of pure sky and pure terrain."""
+"""Number of outermost rows on each side whose mean colour counts as pure sky or pure terrain."""
 
 SMOOTHING_PX = 2.0
-"""Standard deviation of the mean along the columns, which share the pixels of one blurred edge."""
+"""Standard deviation of the weighted mean along the columns, which share the pixels of one blurred edge [columns]."""
 
 LARGEST_STEP_PX = 8
-"""No mean is taken across a larger step between neighbouring columns: there another ridge or a tree begins."""
+"""The mean does not extend across a larger step between neighbouring columns, where another ridge or a tree begins
+[rows]."""
 
 
 def placed_between_rows(line, appearance):
-    """Place a line between the rows; its values below are those of `docs/sky-model.md`.
+    """Place a line between the rows; `docs/sky-model.md` gives the reasons for the constants.
 
     Parameters
     ----------
@@ -44,6 +45,7 @@ def placed_between_rows(line, appearance):
     Returns
     -------
     (W,) float array
+        Row per column [rows].
     """
     centre = centre_of_edge(line, appearance.edges[EDGE_SIGMAS_PX[0]])
     placed = row_of_equal_areas(centre, appearance.lab)

@@ -1,11 +1,11 @@
-"""A run that uses the compass tries it on a sample first."""
+"""A run that uses the compass tests it on a sample first."""
 
 from __future__ import annotations
 
 import pytest
 from misled import CAMERA, misled_photos
 
-TRIED = "4 photos try the compass of each camera first."
+TESTED = "4 photos are oriented first to test the compasses of the cameras."
 
 
 @pytest.fixture
@@ -17,18 +17,28 @@ def misled_layer(run, scene, tmp_path):
     return run("importphotos", {"FOLDER": str(folder), "OUTPUT": "memory:"})[0]["OUTPUT"]
 
 
+def times(folder):
+    return {path: path.stat().st_mtime_ns for path in folder.iterdir()}
+
+
 def test_a_lost_compass_is_told_of_and_does_not_mislead(run, scene, misled_layer, tmp_path):
     given = {"INPUT": misled_layer, "DEM": str(scene.dem), "COMPASS": 1, "OUTPUT": "memory:", "WORKERS": 1}
     results, feedback = run("orientphotos", {**given, "ORIENTATIONS": str(tmp_path / "kept")})
-    assert TRIED in feedback.infos
-    assert any(CAMERA in text and "contradicts the skylines" in text for text in feedback.warnings)
+    assert TESTED in feedback.infos
+    assert any(CAMERA in text and "treated as worthless" in text for text in feedback.warnings)
     photos = sorted(results["OUTPUT"].getFeatures(), key=lambda photo: photo["photo"])
     for photo, name in zip(photos, ("north", "west") * 2):
         assert photo["heading"] == pytest.approx(scene.truth[name].heading_deg % 360, abs=0.5)
-        assert "counts for little" in photo["message"]
+        assert "counts for less" in photo["message"]
+    files = times(tmp_path / "kept")
+    assert sorted(path.suffix for path in files) == [".json", *[".npz"] * 4]
     again, told = run("orientphotos", {**given, "ORIENTATIONS": str(tmp_path / "kept")})
-    assert [p["heading"] for p in again["OUTPUT"].getFeatures()] == [p["heading"] for p in results["OUTPUT"].getFeatures()]
+    assert [p["heading"] for p in again["OUTPUT"].getFeatures()] == [
+        p["heading"] for p in results["OUTPUT"].getFeatures()
+    ]
+    assert TESTED not in told.infos and sum("taken from" in text for text in told.infos) == 4
     assert any(CAMERA in text for text in told.warnings)
+    assert times(tmp_path / "kept") == files
 
 
 def test_a_sound_compass_orients_each_photograph_once(run, scene, tmp_path):
@@ -38,15 +48,24 @@ def test_a_sound_compass_orients_each_photograph_once(run, scene, tmp_path):
     layer = run("importphotos", {"FOLDER": str(folder), "OUTPUT": "memory:"})[0]["OUTPUT"]
     given = {"INPUT": layer, "DEM": str(scene.dem), "COMPASS": 1, "OUTPUT": "memory:", "WORKERS": 1}
     results, feedback = run("orientphotos", {**given, "ORIENTATIONS": str(tmp_path / "kept")})
-    assert TRIED in feedback.infos and not feedback.warnings
+    assert TESTED in feedback.infos and not feedback.warnings
     assert results["COUNT"] == results["ACCEPTED"] == 4
-    files = {path: path.stat().st_mtime_ns for path in (tmp_path / "kept").iterdir()}
-    assert len(files) == 4
+    files = times(tmp_path / "kept")
+    assert sorted(path.suffix for path in files) == [".json", *[".npz"] * 4]
     _, told = run("orientphotos", {**given, "ORIENTATIONS": str(tmp_path / "kept")})
-    assert sum("taken from" in text for text in told.infos) == 4
-    assert {path: path.stat().st_mtime_ns for path in (tmp_path / "kept").iterdir()} == files
+    assert TESTED not in told.infos and sum("taken from" in text for text in told.infos) == 4
+    assert times(tmp_path / "kept") == files
 
 
-def test_no_sample_is_tried_without_the_compass(run, scene, misled_layer):
+def test_no_compass_is_tested_without_the_compass(run, scene, misled_layer):
     given = {"INPUT": misled_layer, "DEM": str(scene.dem), "OUTPUT": "memory:", "MAX_DISTANCE": 8000, "WORKERS": 1}
-    assert TRIED not in run("orientphotos", given)[1].infos
+    assert TESTED not in run("orientphotos", given)[1].infos
+
+
+def test_a_run_that_is_cancelled_during_the_test_says_so(run, scene, misled_layer, listener):
+    told = listener()
+    told.setProgressText = lambda text: told.cancel()
+    given = {"INPUT": misled_layer, "DEM": str(scene.dem), "COMPASS": 1, "OUTPUT": "memory:", "WORKERS": 1}
+    with pytest.raises(Exception, match="ancel"):
+        run("orientphotos", given, told)
+    assert any("Cancelled after 0 of 4 photos" in text for text in told.warnings)

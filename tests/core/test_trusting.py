@@ -1,4 +1,4 @@
-"""A sample of a run's photographs tries the compass of each camera before all of them use it."""
+"""A sample of a run's photographs tests the compass of each camera before all of them use it."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import pytest
 from joint_walks import photo
 from misled import misled_photos
 from skyline_viewshed.core import api, trusting
-from skyline_viewshed.core.base.errors import PhotoError
+from skyline_viewshed.core.base.errors import OutputError, PhotoError
 from skyline_viewshed.core.base.model import Photo, PhotoMetadata
+from skyline_viewshed.core.base.progress import as_progress
 from skyline_viewshed.core.batch import DISTRUSTED_NOTE, PhotoRequest
 from skyline_viewshed.core.many import OrientJob
 from skyline_viewshed.core.pipeline import OrientOptions
@@ -60,9 +61,9 @@ def test_the_sample_is_spread_over_the_run():
         ([(PhotoRequest("not there.jpg"), None), (None, None)] * 4, PRIOR),
         ([], PRIOR),
     ],
-    ids=["ignored", "paper", "tried", "few", "no reading", "no camera", "given", "unreadable", "none"],
+    ids=["ignored", "paper", "tested", "few", "no reading", "no camera", "given", "unreadable", "none"],
 )
-def test_nothing_is_tried_where_no_compass_would_be_used(tasks, options):
+def test_nothing_is_tested_where_no_compass_would_be_used(tasks, options):
     assert trusting.sample_of(tasks, options) == []
 
 
@@ -82,6 +83,39 @@ def test_a_misled_compass_is_distrusted_by_all_photographs():
     assert [outcome.value.path for outcome in outcomes] == [f"{k}.jpg" for k in range(20)]
     assert job.options.compass_shares == (("Phone", 0.9),)
     assert [shares for _, shares in work.done[8:]] == [(("Phone", 0.9),)] * 20
+
+
+def test_a_folder_keeps_the_result_of_the_test(scene, tmp_path):
+    """A repeat with the same sample tests nothing; a damaged file is written again."""
+    job = OrientJob(api.open_dem(str(scene.dem)), PRIOR)
+    tasks = [(replace(request, path=str(scene.folder / "north.jpg")), photo) for request, photo in tasks_of(8)]
+    for expected in ((("Phone", 0.9),), ()):
+        folder = tmp_path / f"kept {len(expected)}"
+        work = Oriented(200.0 if expected else 42.0)
+        after, _ = trusting.with_trust(job, tasks, work, folder=folder)
+        (file,) = folder.iterdir()
+        assert after.options.compass_shares == expected and len(work.done) == 8
+        again, known = trusting.with_trust(job, tasks, work, folder=folder)
+        assert again.options == after.options and known == {} and len(work.done) == 8
+        file.write_text("[[", encoding="utf-8")
+        assert trusting.with_trust(job, tasks, work, folder=folder)[0].options == after.options and len(work.done) == 16
+    with pytest.raises(OutputError):
+        trusting.with_trust(job, tasks, work, folder=file / "inside")
+
+
+@pytest.mark.parametrize("reading", [42.0, 200.0])
+def test_the_progress_never_goes_back(reading):
+    told = []
+    oriented = Oriented(reading)
+
+    def work(job, tasks, progress):
+        for number, outcome in enumerate(oriented(job, tasks, progress), 1):
+            progress.report(number / len(tasks))
+            yield outcome
+
+    _, outcomes = trusting.trusted_outcomes(OrientJob(None, PRIOR), tasks_of(12), work, as_progress(told.append))
+    assert len(list(outcomes)) == 12
+    assert told == sorted(told) and told[-1] == pytest.approx(1)
 
 
 def test_a_photograph_that_fails_in_the_sample_stays_in_its_place():

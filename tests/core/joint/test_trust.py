@@ -28,7 +28,9 @@ def hinted(name, alone, reading, **facts):
 
 
 @given(
-    st.lists(st.floats(0.001, 1), min_size=1, max_size=3), st.floats(0.01, 1), st.floats(0, 359.9).filter(lambda h: h % 1)
+    st.lists(st.floats(0.001, 1), min_size=1, max_size=3),
+    st.floats(0.01, 1),
+    st.floats(0, 359.9).filter(lambda h: h % 1),
 )
 def test_the_compass_is_taken_out_of_the_answers_again(shares, none, reading):
     """The ratio from hinted answers is that of the answers without the hint."""
@@ -64,6 +66,11 @@ def test_the_share_is_that_of_the_beta_distribution():
     for wrong, right in ((4, 4), (6, 2), (3, 7)):
         expected = (wrong + USUAL) / (wrong + right + 1)
         assert worthless_share([0.0] * wrong + [1e9] * right, USUAL) == pytest.approx(expected, abs=0.051)
+
+
+def test_a_ratio_that_rounding_made_negative_counts_as_none():
+    one = photo("a.jpg", "accepted", [(40.0, 1.0)], compass=220.5)
+    assert support(one, lambda *_: np.array([0.0999999]), 0.1) == 0
 
 
 def test_a_compass_that_is_always_wrong_keeps_a_little_trust():

@@ -21,6 +21,17 @@ def test_the_density_integrates_to_one_over_the_circle():
     assert np.exp(log_ratio(prior, heading)).mean() == pytest.approx(1.0, rel=1e-6)
 
 
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
+def test_the_share_of_worthless_readings_leaves_the_ratios_of_all_others(share):
+    usual, options = CompassOptions(), CompassOptions().with_outliers(share)
+    heading = np.arange(0, 360, 0.1)
+    density, before = (np.exp(log_ratio(compass_prior(40.0, one), heading)) for one in (options, usual))
+    assert density.mean() == pytest.approx(1.0, rel=1e-6)
+    right = (before - usual.outlier_share) / (1 - usual.outlier_share)
+    np.testing.assert_allclose(density, share + (1 - share) * right, rtol=1e-6)
+    assert (options == usual) == (share == usual.outlier_share)
+
+
 def test_no_prior_is_worth_nothing():
     assert (log_ratio(None, np.arange(5)) == 0).all()
 

@@ -40,7 +40,9 @@ def test_the_centre_stays_within_reach_where_there_is_no_edge_or_the_picture_end
     assert (found >= 0).all() and (found <= 9).all()
 
 
-@pytest.mark.parametrize(("start", "blur_px", "error_px"), [(0, 0.1, 0.01), (0, 0.6, 0.03), (0, 1.0, 0.1), (1, 0.6, 0.2)])
+@pytest.mark.parametrize(
+    ("start", "blur_px", "error_px"), [(0, 0.1, 0.01), (0, 0.6, 0.03), (0, 1.0, 0.1), (1, 0.6, 0.2)]
+)
 def test_equal_areas_find_the_place_of_a_blurred_step(start, blur_px, error_px):
     """The blur's width hardly matters, nor does a start that is a row away."""
     boundary = 20 + np.linspace(-0.4, 0.4, 9)
