@@ -222,20 +222,12 @@ def maximum_down(image: np.ndarray, size_px: int) -> np.ndarray:
     return ndimage.maximum_filter1d(image.astype(np.float32), size_px, axis=0, mode="nearest")
 
 
-def accumulate_down(step: np.ufunc, values: np.ndarray, dtype: Any = None) -> np.ndarray:
+def accumulate_down(step: np.ufunc, values: np.ndarray) -> np.ndarray:
     """Running sum or maximum of each column: `step.accumulate(values, 0)` to the last digit, but row by row.
 
     NumPy goes down one column after the other, against the order in memory; whole rows take a sixth of the time.
-
-    Parameters
-    ----------
-    step : numpy.ufunc
-        `np.add` or `np.maximum`.
-    values : (H, ...) array
-    dtype : data type or None
-        Of the result; None keeps that of `values`.
     """
-    total = np.array(values, dtype)
+    total = np.array(values)
     for row in range(1, len(total)):
         step(total[row - 1], total[row], out=total[row])
     return total

@@ -161,7 +161,7 @@ def means_above_below(values, window_px):
     steps = np.arange(1, window + 1).reshape((-1,) + (1,) * (values.ndim - 1))
     # Cumulative sums of the column extended by its end rows; the extensions are computed, not stored.
     total[1 : window + 1] = steps * values[0]
-    total[window + 1 : window + 1 + height] = imaging.accumulate_down(np.add, values, np.float64)
+    total[window + 1 : window + 1 + height] = imaging.accumulate_down(np.add, values.astype(float))
     total[window + 1 : window + 1 + height] += window * values[0]
     total[window + 1 + height :] = total[window + height] + steps * values[-1]
     at = total[window : window + height]
