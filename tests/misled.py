@@ -13,6 +13,7 @@ ERRORS_DEG = (75.0, 140.0, -110.0, 50.0)
 
 def misled_photos(scene, folder, errors_deg=ERRORS_DEG):
     """Write photographs, north and west in turn, whose compasses are off by `errors_deg`; their paths."""
+    folder.mkdir(exist_ok=True)
     paths = []
     for number, error in enumerate(errors_deg):
         name = ("north", "west")[number % 2]

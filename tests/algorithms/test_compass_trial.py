@@ -12,7 +12,6 @@ TESTED = "4 photos are oriented first to test the compasses of the cameras."
 def misled_layer(run, scene, tmp_path):
     """Points of four photographs whose compass is lost."""
     folder = tmp_path / "misled"
-    folder.mkdir()
     misled_photos(scene, folder)
     return run("importphotos", {"FOLDER": str(folder), "OUTPUT": "memory:"})[0]["OUTPUT"]
 
@@ -43,7 +42,6 @@ def test_a_lost_compass_is_told_of_and_does_not_mislead(run, scene, misled_layer
 
 def test_a_sound_compass_orients_each_photograph_once(run, scene, tmp_path):
     folder = tmp_path / "sound"
-    folder.mkdir()
     misled_photos(scene, folder, (2.0, -3.0, 4.0, 0.0))
     layer = run("importphotos", {"FOLDER": str(folder), "OUTPUT": "memory:"})[0]["OUTPUT"]
     given = {"INPUT": layer, "DEM": str(scene.dem), "COMPASS": 1, "OUTPUT": "memory:", "WORKERS": 1}

@@ -9,9 +9,10 @@ import signal
 import numpy as np
 import pytest
 import worker_jobs
-from skyline_viewshed.core import cluster
+from misled import misled_photos
+from skyline_viewshed.core import api, cli, cluster
 from skyline_viewshed.core.base.errors import Cancelled
-from skyline_viewshed.core.batch import PhotoRequest
+from skyline_viewshed.core.batch import DISTRUSTED_NOTE, PhotoRequest
 from skyline_viewshed.core.cluster import RowsOfChunk, cluster_outcomes, rows_with_files
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.locate.index import ARRAYS
@@ -158,6 +159,24 @@ def test_a_cluster_gives_the_same_table_although_a_worker_is_killed(client, work
 def test_outcomes_come_back_from_the_cluster_in_order(client, work, tasks):
     outcomes = list(cluster_outcomes(client, work.job, tasks, worker_jobs.Silence()))
     assert [round(outcome.result().heading_deg) for outcome in outcomes] == list(range(7))
+
+
+def test_the_compasses_are_tested_on_the_cluster_too(client, scene, tmp_path):
+    paths, dem = misled_photos(scene, tmp_path), open_dem(str(scene.dem))
+    here, there = (list(api.orient_many(paths, dem, compass="prior", client=used)) for used in (None, client))
+    assert [photo.heading_deg for photo in there] == [photo.heading_deg for photo in here]
+    assert all(DISTRUSTED_NOTE in photo.orientation.notes for photo in there)
+
+
+def test_a_repeat_with_result_files_does_not_test_the_compasses_again(scene, tmp_path):
+    misled_photos(scene, tmp_path / "photos")
+    command = ["orient", tmp_path / "photos", scene.dem, "-o", tmp_path / "p.csv", "--compass", "prior"]
+    command = [str(word) for word in (*command, "--results", tmp_path / "chunks", "--workers", 1, "--quiet")]
+    assert cli.main(command) == 0
+    files = {file: file.stat().st_mtime_ns for file in (tmp_path / "chunks").iterdir()}
+    assert sorted(file.stem.split("-")[0] for file in files) == ["chunk", "chunk", "compasses"]
+    assert cli.main(command) == 0
+    assert {file: file.stat().st_mtime_ns for file in (tmp_path / "chunks").iterdir()} == files
 
 
 def test_an_index_from_the_cluster_is_the_same(client, scene):
