@@ -16,7 +16,6 @@ from .shared.orientation import (
     NUMBER_FIELDS,
     add_altitude_parameter,
     add_field_parameters,
-    add_joint_parameter,
     add_lens_parameter,
     add_terrain_parameters,
     options_of,
@@ -34,6 +33,7 @@ from .shared.previews import Previews, preview_specs
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
+from .shared.together import add_joint_parameter
 from .shared.workers import add_workers_parameter
 
 SHARE = (0.0, 0.95)

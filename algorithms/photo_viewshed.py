@@ -9,7 +9,7 @@ from ..core.base.status import RELIABLE
 from .base import DemAlgorithm
 from .shared import parameters as shared
 from .shared.elevation import dem_fault
-from .shared.feedback import FeedbackProgress
+from .shared.feedback import FeedbackProgress, StillProgress
 from .shared.fields import is_null, photo_specs
 from .shared.folder_photos import folder_fault, photo_rows
 from .shared.i18n import tr
@@ -18,7 +18,6 @@ from .shared.lens_table import add_lens_table_parameter, lens_table_fault
 from .shared.orientation import (
     add_altitude_parameter,
     add_field_parameters,
-    add_joint_parameter,
     add_lens_parameter,
     options_of,
     orient_each,
@@ -38,6 +37,7 @@ from .shared.result_figures import ResultFigures, figures_out, stations_of
 from .shared.skyline_limits import add_own_parameters, with_own
 from .shared.statuses import tell_withheld
 from .shared.styling import style_on_completion
+from .shared.together import BLOCK, add_joint_parameter, are_together
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
@@ -244,10 +244,12 @@ class PhotoViewshed(DemAlgorithm):
         """Return the function that computes one photo's viewshed, or None for a photo whose heading is not reliable."""
         doubtful = self._doubtful(parameters, context, method)
         progress = subtask(FeedbackProgress(viewer.feedback), *SHARE)
-        joint = self.parameterAsBoolean(parameters, "JOINT", context)
-        if joint:  # all photographs have been oriented before the first viewshed
+        together = are_together(self.parameterAsBoolean(parameters, "JOINT", context), count, method)
+        if together:  # all photographs have been oriented before the first viewshed
             progress = subtask(progress, ORIENTATION_PART, 1.0)
-        before = 0.0 if joint else ORIENTATION_PART
+        if together and count > BLOCK:  # all of a block
+            progress = StillProgress(viewer.feedback)
+        before = 0.0 if together else ORIENTATION_PART
 
         def view(point, status, index):
             if point.posed is None or not (status in RELIABLE or doubtful):

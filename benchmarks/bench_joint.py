@@ -1,7 +1,8 @@
 """Compare the photographs of a walk solved together with the same ones alone: `make bench-joint [DATA=folder]`.
 
-All photographs of each folder with truth.csv take part. Scored are those of known heading (group `good`) with a
-neighbour: another photograph within 200 m, or one of the same camera within an hour. Writes `build/joint.json`.
+All photographs of each folder with truth.csv take part. Scored are those of known heading (group `good`). The lines of
+the folders count only those with a neighbour, which is another photograph within 200 m, or one of the same camera
+within an hour. The last line counts all. Writes `build/joint.json`.
 """
 
 from __future__ import annotations
@@ -39,8 +40,11 @@ def main(arguments=None):
     report = {}
     for folder in sorted(path.parent for path in given.data.glob("*/truth.csv")):
         rows = measure(folder, given.compass, given.jobs)
-        report[folder.name] = {"counts": counts(rows), "photos": rows}
-        print(f"{folder.name:12} " + ", ".join(f"{key} {value}" for key, value in counts(rows).items()), flush=True)
+        report[folder.name] = {"counts": counts([row for row in rows if row["neighboured"]]), "photos": rows}
+        print(line_of(folder.name, report[folder.name]["counts"]), flush=True)
+    whole = counts([row for part in report.values() for row in part["photos"]])
+    print(line_of("all", whole))
+    report["all"] = {"counts": whole}
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(json.dumps(report, indent=1), encoding="utf-8")
     print(f"written: {given.output}")
@@ -54,10 +58,20 @@ def measure(folder, compass, jobs):
     alone = list(answers_of(outcomes, tasks))
     together = look_again(tasks, alone, partial(orient_all, job), SILENT, job.options)
     return [
-        {"photo": line["photo"], "alone": result_row(line, before), "together": result_row(line, after)}
+        {
+            "photo": line["photo"],
+            "neighboured": near,
+            "alone": result_row(line, before),
+            "together": result_row(line, after),
+        }
         for line, before, after, near in zip(lines, alone, together, neighboured(alone))
-        if near and line["group"] == "good" and line.get("heading_deg") is not None
+        if line["group"] == "good" and line.get("heading_deg") is not None
     ]
+
+
+def line_of(name, found):
+    """Format counts as a line."""
+    return f"{name:12} " + ", ".join(f"{key} {value}" for key, value in found.items())
 
 
 def neighboured(photos):
@@ -73,22 +87,26 @@ def neighboured(photos):
 
 def counts(rows):
     """Counts for a table: right, accepted and wrong, alone and together."""
-    right = {way: np.array([_is_right(row[way]) for row in rows], bool) for way in ("alone", "together")}
+    right = {way: np.array([_is_within(row[way], RIGHT_DEG) for row in rows], bool) for way in ("alone", "together")}
     accepted = {way: np.array([row[way]["status"] == "accepted" for row in rows], bool) for way in right}
+    covered = np.array([bool(row["together"]["covered"]) for row in rows], bool)
     return {
         "photos": len(rows),
+        "< 0.5 together": sum(_is_within(row["together"], 0.5) for row in rows),
+        "< 1 together": sum(_is_within(row["together"], 1.0) for row in rows),
         "right alone": int(right["alone"].sum()),
         "right together": int(right["together"].sum()),
         "accepted alone": int(accepted["alone"].sum()),
         "accepted together": int(accepted["together"].sum()),
         "accepted but wrong": int((accepted["together"] & ~right["together"]).sum()),
         "worse": int((right["alone"] & ~right["together"]).sum()),
-        "interval holds": sum(bool(row["together"]["covered"]) for row in rows),
+        "interval holds": int(covered.sum()),
+        "of accepted ones": int((covered & accepted["together"]).sum()),
     }
 
 
-def _is_right(row):
-    return row["error_deg"] is not None and abs(row["error_deg"]) < RIGHT_DEG
+def _is_within(row, limit_deg):
+    return row["error_deg"] is not None and abs(row["error_deg"]) < limit_deg
 
 
 if __name__ == "__main__":

@@ -3372,31 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Photographs that help one another</source>
-        <translation>Fotos, die einander helfen</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
-        <translation>Ohne OpenCV 4.4 oder neuer werden die Fotos nicht anhand gemeinsamer Bildmerkmale verglichen.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>{count} photos gained from their neighbours.</source>
-        <translation>{count} Fotos gewannen durch ihre Nachbarn.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Orient the photos of a walk together</source>
-        <translation>Fotos einer Wanderung gemeinsam orientieren</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Die Fotos helfen einander: durch gemeinsame Bildmerkmale innerhalb von 200 m (braucht OpenCV), durch den Fehler des Kompasses, der bei einem Gerät eine Stunde lang gleich bleibt, und durch die Brennweite ihres Objektivs. Wahrscheinlichkeit, Intervall und Status gelten dann für alle Fotos zusammen. Angenommene Antworten bleiben, sofern die anderen ihnen nicht widersprechen. Alle Ergebnisse bleiben bis zum Ende im Speicher, etwa 3 MB pro Foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} Fotos: {parts}.</translation>
     </message>
@@ -3546,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
-        <translation>Hat eine Kamera vier oder mehr Fotos, wird zuerst eine Stichprobe davon ausgerichtet; widerspricht ihr Kompass oft den Horizontlinien, zählt er weniger.</translation>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
+        <translation>Hat eine Kamera vier oder mehr Fotos, wird zuerst eine Stichprobe davon ausgerichtet; widerspricht ihr Kompass oft den Horizontlinien, zählt er weniger. Fotos einer Wanderung, die gemeinsam ausgerichtet werden, vergleichen ihre Angaben, wenn der Kompass ignoriert wird; daraus allein folgt keine Blickrichtung.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4099,6 +4074,31 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>The layer of summits has no field {field}. Choose the field with the names.</source>
         <translation>Der Gipfellayer hat kein Feld {field}. Wählen Sie das Feld mit den Namen.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Fotos einer Wanderung gemeinsam orientieren</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
+        <translation>Die Fotos helfen einander: durch gemeinsame Merkmale innerhalb von 200 m (braucht OpenCV), durch den Kompassfehler, den ein Gerät eine Stunde lang behält, und durch die Brennweite ihres Objektivs. Wahrscheinlichkeit, Intervall und Status gelten dann für alle Fotos gemeinsam. Angenommene Ergebnisse bleiben, wenn die anderen nicht widersprechen. Kein Kompass bestimmt für sich allein eine Blickrichtung. Mehr als 300 Fotos werden in Blöcken von 300 gelöst.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} Fotos gewannen durch ihre Nachbarn.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Photographs that help one another</source>
+        <translation>Fotos, die einander helfen</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Ohne OpenCV 4.4 oder neuer werden die Fotos nicht anhand gemeinsamer Bildmerkmale verglichen.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/track_input.py"/>

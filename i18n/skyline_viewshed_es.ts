@@ -3372,31 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Photographs that help one another</source>
-        <translation>Fotografías que se ayudan entre sí</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
-        <translation>Sin OpenCV 4.4 o posterior, las fotos no se comparan por sus rasgos comunes.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>{count} photos gained from their neighbours.</source>
-        <translation>{count} fotos mejoraron gracias a sus vecinas.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Orient the photos of a walk together</source>
-        <translation>Orientar juntas las fotos de una caminata</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Las fotos se ayudan entre sí: por rasgos comunes a menos de 200 m (requiere OpenCV), por el error de la brújula, que un dispositivo mantiene durante una hora, y por la distancia focal de su objetivo. La probabilidad, el intervalo y el estado valen entonces para todas las fotos en conjunto. Las respuestas aceptadas se mantienen salvo que las demás las contradigan. Todos los resultados permanecen en memoria hasta el final, unos 3 MB por foto.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} fotos: {parts}.</translation>
     </message>
@@ -3546,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
-        <translation>Si una cámara tiene cuatro fotos o más, primero se orienta una muestra de ellas; si su brújula contradice a menudo las líneas del horizonte, cuenta menos.</translation>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
+        <translation>Si una cámara tiene cuatro fotos o más, primero se orienta una muestra de ellas; si su brújula contradice a menudo las líneas del horizonte, cuenta menos. Las fotos de una caminata que se orientan juntas comparan sus indicaciones si la brújula se ignora; eso por sí solo no da ningún rumbo.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4099,6 +4074,31 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>The layer of summits has no field {field}. Choose the field with the names.</source>
         <translation>La capa de cimas no tiene el campo {field}. Elija el campo con los nombres.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Orientar juntas las fotos de una caminata</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
+        <translation>Las fotos se ayudan unas a otras: por detalles comunes a menos de 200 m (requiere OpenCV), por el error de la brújula, que un dispositivo mantiene durante una hora, y por la distancia focal de su objetivo. Probabilidad, intervalo y estado valen entonces para todas las fotos juntas. Los resultados aceptados se conservan salvo que las demás los contradigan. Ninguna brújula da un rumbo por sí sola. Más de 300 fotos se resuelven en bloques de 300.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} fotos mejoraron gracias a sus vecinas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Photographs that help one another</source>
+        <translation>Fotografías que se ayudan entre sí</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Sin OpenCV 4.4 o posterior, las fotos no se comparan por sus rasgos comunes.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/track_input.py"/>

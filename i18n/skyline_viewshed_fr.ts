@@ -3372,31 +3372,6 @@
     </message>
     <message>
         <location filename="../algorithms/shared/orientation.py"/>
-        <source>Photographs that help one another</source>
-        <translation>Photographies qui s’aident mutuellement</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
-        <translation>Sans OpenCV 4.4 ou plus récent, les photos ne sont pas comparées par leurs points communs.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>{count} photos gained from their neighbours.</source>
-        <translation>{count} photos ont profité de leurs voisines.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>Orient the photos of a walk together</source>
-        <translation>Orienter ensemble les photos d’une randonnée</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. All results stay in memory until the end, about 3 MB per photo.</source>
-        <translation>Les photos s'entraident : par des points communs à moins de 200 m (nécessite OpenCV), par l'erreur de la boussole, qu'un appareil garde pendant une heure, et par la focale de leur objectif. Probabilité, intervalle et statut valent alors pour toutes les photos ensemble. Les réponses acceptées restent, sauf si les autres les contredisent. Tous les résultats restent en mémoire jusqu'à la fin, environ 3 Mo par photo.</translation>
-    </message>
-    <message>
-        <location filename="../algorithms/shared/orientation.py"/>
         <source>{count} photos: {parts}.</source>
         <translation>{count} photos : {parts}.</translation>
     </message>
@@ -3546,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
-        <translation>Si un appareil a quatre photos ou plus, un échantillon en est d'abord orienté ; si sa boussole contredit souvent les lignes d'horizon, elle compte moins.</translation>
+        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
+        <translation>Si un appareil a quatre photos ou plus, un échantillon en est d'abord orienté ; si sa boussole contredit souvent les lignes d'horizon, elle compte moins. Les photos d'une randonnée orientées ensemble comparent leurs indications si la boussole est ignorée ; cela ne donne à soi seul aucun azimut de visée.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4099,6 +4074,31 @@
         <location filename="../algorithms/shared/summit_input.py"/>
         <source>The layer of summits has no field {field}. Choose the field with the names.</source>
         <translation>La couche de sommets n'a pas de champ {field}. Choisissez le champ des noms.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Orient the photos of a walk together</source>
+        <translation>Orienter ensemble les photos d’une randonnée</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
+        <translation>Les photos s'aident entre elles : par des détails communs à moins de 200 m (OpenCV nécessaire), par l'erreur de la boussole, qu'un appareil garde pendant une heure, et par la focale de leur objectif. Probabilité, intervalle et statut valent alors pour toutes les photos ensemble. Les résultats acceptés restent, sauf si les autres les contredisent. Aucune boussole ne donne à elle seule un azimut de visée. Au-delà de 300 photos, elles sont traitées par blocs de 300.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>{count} photos gained from their neighbours.</source>
+        <translation>{count} photos ont profité de leurs voisines.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Photographs that help one another</source>
+        <translation>Photographies qui s’aident mutuellement</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Without OpenCV 4.4 or newer the photos are not compared by common features.</source>
+        <translation>Sans OpenCV 4.4 ou plus récent, les photos ne sont pas comparées par leurs points communs.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/track_input.py"/>

@@ -10,8 +10,9 @@ def row(alone, together, status="accepted", covered=True):
 def test_what_becomes_right_and_what_gets_worse_is_counted():
     rows = [row(40.0, 0.5), row(0.1, 0.2, covered=False), row(-1.0, 5.0), row(None, None, "failed")]
     assert bench_joint.counts(rows) == {
-        "photos": 4, "right alone": 2, "right together": 2, "accepted alone": 4, "accepted together": 3,
-        "accepted but wrong": 1, "worse": 1, "interval holds": 3,
+        "photos": 4, "< 0.5 together": 1, "< 1 together": 2,
+        "right alone": 2, "right together": 2, "accepted alone": 4, "accepted together": 3,
+        "accepted but wrong": 1, "worse": 1, "interval holds": 3, "of accepted ones": 2,
     }  # fmt: skip
 
 

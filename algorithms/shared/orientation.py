@@ -22,6 +22,7 @@ from .oriented import oriented_specs, oriented_values
 from .photo_points import lens_of
 from .rescue import Rescue
 from .run_log import RunLog
+from .together import are_together, oriented_together
 from .workers import team_for
 
 NUMBER_FIELDS = ("HFOV_FIELD", "HEIGHT_FIELD", "HEADING_HINT_FIELD", "TOLERANCE_FIELD", "POSITION_ERROR_FIELD")
@@ -180,9 +181,9 @@ def orient_each(
     job, told = OrientJob(dem, options), RunLog(feedback, len(requests))
     job, known = compass_tested(requests, job, folder, feedback, workers)
     alone = partial(_oriented_alone, requests, job, KeptOrientations(folder, feedback, known), told)
-    if joint:
-        share = share[0], share[0] + part_of_photo * (share[1] - share[0])
-        yield from _oriented_together(requests, job, alone, told, share, workers)
+    if are_together(joint, len(requests), options.method):
+        orienting = share[0], share[0] + part_of_photo * (share[1] - share[0])
+        yield from oriented_together(requests, job, alone, told, orienting, workers)
     else:
         yield from alone((*share, part_of_photo), workers)
     told.end()
@@ -213,38 +214,6 @@ def _oriented_alone(requests, job, kept, told, share, workers):
                 raise
             told.answer(name, oriented.orientation)
             yield oriented
-
-
-def _oriented_together(requests, job, alone, told, share, workers):
-    """Orient all photographs alone, then solve them together."""
-    from ...core.joint.ties import has_features
-    from ...core.many import JOINT_PART, look_again, outcomes_of
-
-    middle, feedback = share[0] + JOINT_PART * (share[1] - share[0]), told.feedback
-    photos = list(alone((share[0], middle, 1.0), workers))
-    feedback.setProgressText(tr("Photographs that help one another"))
-    progress = subtask(FeedbackProgress(feedback), middle, share[1])
-    if not has_features():
-        feedback.pushInfo(tr("Without OpenCV 4.4 or newer the photos are not compared by common features."))
-    tasks, orient_all = [(request, None) for request in requests], partial(outcomes_of, job, workers=workers)
-    together = look_again(tasks, photos, orient_all, progress, job.options)
-    helped = [(before, after) for before, after in zip(photos, together) if before is not after]
-    feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
-    for before, after in helped:
-        told.revise(Path(after.path).name, before.orientation, after.orientation)
-    yield from together
-
-
-def add_joint_parameter(algorithm):
-    """Declare whether the photographs of a walk are oriented together."""
-    parameter = QgsProcessingParameterBoolean("JOINT", tr("Orient the photos of a walk together"), False, optional=True)
-    text = tr(
-        "The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the "
-        "compass, which one device shares for an hour, and by the focal length of their lens. Probability, "
-        "interval and status then hold for all photos together. Accepted answers stay unless the others "
-        "contradict them. All results stay in memory until the end, about 3 MB per photo."
-    )
-    algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 
 
 def unforeseen(request, error, feedback):

@@ -164,7 +164,8 @@ def compass(tested=True):
     if tested:
         text += " " + tr(
             "If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts "
-            "the skylines, it counts for less."
+            "the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, "
+            "which gives no heading by itself, if the compass is ignored."
         )
     parameter = QgsProcessingParameterEnum(
         "COMPASS", tr("Recorded compass heading"), uses, defaultValue=COMPASS_USES.index("ignore")
