@@ -110,7 +110,7 @@ class OrientPhotos(DemAlgorithm):
         return fault or lens_table_fault(self, parameters, context) or dem_fault(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        """Orient photo by photo, then write."""
+        """Orient the photos, then write."""
         source, rows = read_points(self, parameters, context, "INPUT", "PHOTO_FIELD", NUMBER_FIELDS)
         fields, rows = with_lens_table(self, parameters, context, source.fields(), rows)
         options = options_of(self, parameters, context)

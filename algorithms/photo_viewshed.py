@@ -179,7 +179,7 @@ class PhotoViewshed(DemAlgorithm):
         )
 
     def compute(self, parameters, context, feedback):
-        """Orient a photo, compute the ground that it shows, take the next; then write."""
+        """Orient the photos, compute the ground that each shows, then write."""
         photos = photo_rows(self, parameters, context, feedback)
         options = options_of(self, parameters, context, "HORIZON_DISTANCE")
         requests = requests_of(self, parameters, context, photos.rows)
@@ -247,7 +247,7 @@ class PhotoViewshed(DemAlgorithm):
         together = are_together(self.parameterAsBoolean(parameters, "JOINT", context), count, method)
         if together:  # all photographs have been oriented before the first viewshed
             progress = subtask(progress, ORIENTATION_PART, 1.0)
-        if together and count > BLOCK:  # all of a block
+        if together and count > BLOCK:  # viewsheds come between the blocks, and the orientation has the bar
             progress = StillProgress(viewer.feedback)
         before = 0.0 if together else ORIENTATION_PART
 

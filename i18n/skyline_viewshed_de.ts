@@ -3521,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
-        <translation>Hat eine Kamera vier oder mehr Fotos, wird zuerst eine Stichprobe davon ausgerichtet; widerspricht ihr Kompass oft den Horizontlinien, zählt er weniger. Fotos einer Wanderung, die gemeinsam ausgerichtet werden, vergleichen ihre Angaben, wenn der Kompass ignoriert wird; daraus allein folgt keine Blickrichtung.</translation>
+        <source>Ignore: no reading counts by itself; photos of a walk that are oriented together still compare their readings, which alone gives no heading. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Ignorieren: Keine Angabe zählt für sich allein; Fotos einer Wanderung, die gemeinsam ausgerichtet werden, vergleichen ihre Angaben trotzdem, was allein keine Blickrichtung ergibt. Hinweis: Die Kompassrichtung ist eine Vorannahme, weit genug für die üblichen Fehler von Telefonen; eine klare Horizontlinie setzt sich darüber hinweg. Hat eine Kamera vier oder mehr Fotos, wird zuerst eine Stichprobe davon ausgerichtet; widerspricht ihr Kompass oft den Horizontlinien, zählt er weniger.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4082,8 +4082,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
-        <translation>Die Fotos helfen einander: durch gemeinsame Merkmale innerhalb von 200 m (braucht OpenCV), durch den Kompassfehler, den ein Gerät eine Stunde lang behält, und durch die Brennweite ihres Objektivs. Wahrscheinlichkeit, Intervall und Status gelten dann für alle Fotos gemeinsam. Angenommene Ergebnisse bleiben, wenn die anderen nicht widersprechen. Kein Kompass bestimmt für sich allein eine Blickrichtung. Mehr als 300 Fotos werden in Blöcken von 300 gelöst.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. A compass never gives a heading by itself. More than 300 photos are solved in blocks of 300, in the order of the layer; photos of different blocks do not help one another. The paper method ignores this.</source>
+        <translation>Die Fotos helfen einander: durch gemeinsame Merkmale innerhalb von 200 m (braucht OpenCV), durch den Kompassfehler, den ein Gerät eine Stunde lang behält, und durch die Brennweite ihres Objektivs. Wahrscheinlichkeit, Intervall und Status gelten dann für alle Fotos gemeinsam. Angenommene Ergebnisse bleiben, wenn die anderen nicht widersprechen. Ein Kompass bestimmt nie allein eine Blickrichtung. Mehr als 300 Fotos werden in Blöcken von 300 gelöst, in der Reihenfolge des Layers; Fotos verschiedener Blöcke helfen einander nicht. Die Methode des Artikels beachtet dies nicht.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Die Fotos konnten nicht gemeinsam gelöst werden; jedes behält sein eigenes Ergebnis.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Cancelled while the photos were solved together.</source>
+        <translation>Abgebrochen, während die Fotos gemeinsam gelöst wurden.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

@@ -3521,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
-        <translation>Si una cámara tiene cuatro fotos o más, primero se orienta una muestra de ellas; si su brújula contradice a menudo las líneas del horizonte, cuenta menos. Las fotos de una caminata que se orientan juntas comparan sus indicaciones si la brújula se ignora; eso por sí solo no da ningún rumbo.</translation>
+        <source>Ignore: no reading counts by itself; photos of a walk that are oriented together still compare their readings, which alone gives no heading. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Ignorar: ninguna indicación cuenta por sí sola; las fotos de una caminata que se orientan juntas comparan de todos modos sus indicaciones, lo que por sí solo no da ningún rumbo. Indicación: el rumbo de la brújula es una suposición previa, lo bastante amplia para los errores habituales de los teléfonos; una línea del horizonte clara se impone. Si una cámara tiene cuatro fotos o más, primero se orienta una muestra de ellas; si su brújula contradice a menudo las líneas del horizonte, cuenta menos.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4082,8 +4082,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
-        <translation>Las fotos se ayudan unas a otras: por detalles comunes a menos de 200 m (requiere OpenCV), por el error de la brújula, que un dispositivo mantiene durante una hora, y por la distancia focal de su objetivo. Probabilidad, intervalo y estado valen entonces para todas las fotos juntas. Los resultados aceptados se conservan salvo que las demás los contradigan. Ninguna brújula da un rumbo por sí sola. Más de 300 fotos se resuelven en bloques de 300.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. A compass never gives a heading by itself. More than 300 photos are solved in blocks of 300, in the order of the layer; photos of different blocks do not help one another. The paper method ignores this.</source>
+        <translation>Las fotos se ayudan unas a otras: por detalles comunes a menos de 200 m (requiere OpenCV), por el error de la brújula, que un dispositivo mantiene durante una hora, y por la distancia focal de su objetivo. Probabilidad, intervalo y estado valen entonces para todas las fotos juntas. Los resultados aceptados se conservan salvo que las demás los contradigan. Una brújula nunca da un rumbo por sí sola. Más de 300 fotos se resuelven en bloques de 300, en el orden de la capa; las fotos de bloques distintos no se ayudan. El método del artículo no lo tiene en cuenta.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Las fotos no se pudieron resolver juntas; cada una conserva su propio resultado.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Cancelled while the photos were solved together.</source>
+        <translation>Cancelado mientras las fotos se resolvían juntas.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

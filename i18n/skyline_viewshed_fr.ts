@@ -3521,8 +3521,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
-        <source>If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, which gives no heading by itself, if the compass is ignored.</source>
-        <translation>Si un appareil a quatre photos ou plus, un échantillon en est d'abord orienté ; si sa boussole contredit souvent les lignes d'horizon, elle compte moins. Les photos d'une randonnée orientées ensemble comparent leurs indications si la boussole est ignorée ; cela ne donne à soi seul aucun azimut de visée.</translation>
+        <source>Ignore: no reading counts by itself; photos of a walk that are oriented together still compare their readings, which alone gives no heading. Hint: the compass heading is a prior, wide enough for the usual errors of phones; a clear skyline overrules it. If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts the skylines, it counts for less.</source>
+        <translation>Ignorer : aucune indication ne compte à elle seule ; les photos d'une randonnée orientées ensemble comparent tout de même leurs indications, ce qui ne donne à soi seul aucun azimut de visée. Indication : l'azimut de la boussole est un a priori, assez large pour les erreurs habituelles des téléphones ; une ligne d'horizon nette l'emporte. Si un appareil a quatre photos ou plus, un échantillon en est d'abord orienté ; si sa boussole contredit souvent les lignes d'horizon, elle compte moins.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/parameters.py"/>
@@ -4082,8 +4082,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300.</source>
-        <translation>Les photos s'aident entre elles : par des détails communs à moins de 200 m (OpenCV nécessaire), par l'erreur de la boussole, qu'un appareil garde pendant une heure, et par la focale de leur objectif. Probabilité, intervalle et statut valent alors pour toutes les photos ensemble. Les résultats acceptés restent, sauf si les autres les contredisent. Aucune boussole ne donne à elle seule un azimut de visée. Au-delà de 300 photos, elles sont traitées par blocs de 300.</translation>
+        <source>The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the compass, which one device shares for an hour, and by the focal length of their lens. Probability, interval and status then hold for all photos together. Accepted answers stay unless the others contradict them. A compass never gives a heading by itself. More than 300 photos are solved in blocks of 300, in the order of the layer; photos of different blocks do not help one another. The paper method ignores this.</source>
+        <translation>Les photos s'aident entre elles : par des détails communs à moins de 200 m (OpenCV nécessaire), par l'erreur de la boussole, qu'un appareil garde pendant une heure, et par la focale de leur objectif. Probabilité, intervalle et statut valent alors pour toutes les photos ensemble. Les résultats acceptés restent, sauf si les autres les contredisent. Une boussole ne donne jamais à elle seule un azimut de visée. Au-delà de 300 photos, elles sont traitées par blocs de 300, dans l'ordre de la couche ; les photos de blocs différents ne s'aident pas. La méthode de l'article ignore ce réglage.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Les photos n'ont pas pu être résolues ensemble ; chacune garde son propre résultat.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>Cancelled while the photos were solved together.</source>
+        <translation>Annulé pendant que les photos étaient résolues ensemble.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

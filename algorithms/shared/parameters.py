@@ -162,10 +162,11 @@ def compass(tested=True):
         "enough for the usual errors of phones; a clear skyline overrules it."
     )
     if tested:
-        text += " " + tr(
-            "If a camera has four or more photos, a sample of them is oriented first; if its compass often contradicts "
-            "the skylines, it counts for less. Photos of a walk that are oriented together compare their readings, "
-            "which gives no heading by itself, if the compass is ignored."
+        text = tr(
+            "Ignore: no reading counts by itself; photos of a walk that are oriented together still compare their "
+            "readings, which alone gives no heading. Hint: the compass heading is a prior, wide enough for the usual "
+            "errors of phones; a clear skyline overrules it. If a camera has four or more photos, a sample of them is "
+            "oriented first; if its compass often contradicts the skylines, it counts for less."
         )
     parameter = QgsProcessingParameterEnum(
         "COMPASS", tr("Recorded compass heading"), uses, defaultValue=COMPASS_USES.index("ignore")
@@ -200,13 +201,8 @@ def eye_height(default=1.7):
 
 def max_distance(default, text=None):
     """Range of the search or of the viewshed."""
-    return distance(
-        "MAX_DISTANCE",
-        tr("Maximum distance (m)"),
-        default,
-        text or tr("Distance from the camera in metres on the ground. Terrain beyond is ignored."),
-        minimum=1.0,
-    )
+    text = text or tr("Distance from the camera in metres on the ground. Terrain beyond is ignored.")
+    return distance("MAX_DISTANCE", tr("Maximum distance (m)"), default, text, minimum=1.0)
 
 
 def refraction(default):

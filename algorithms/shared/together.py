@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import traceback
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 
 from qgis.core import QgsProcessingParameterBoolean
 
+from ...core.base.errors import Cancelled
 from ...core.base.progress import subtask
 from . import parameters as shared
 from .feedback import FeedbackProgress, StillProgress
@@ -25,7 +27,8 @@ def add_joint_parameter(algorithm):
         "The photos help one another: by features in common within 200 m (needs OpenCV), by the error of the "
         "compass, which one device shares for an hour, and by the focal length of their lens. Probability, "
         "interval and status then hold for all photos together. Accepted answers stay unless the others "
-        "contradict them. No compass gives a heading by itself. More than 300 photos are solved in blocks of 300."
+        "contradict them. A compass never gives a heading by itself. More than 300 photos are solved in blocks of 300, "
+        "in the order of the layer; photos of different blocks do not help one another. The paper method ignores this."
     )
     algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 
@@ -53,26 +56,49 @@ def oriented_together(requests, job, alone, told, share, workers):
     ------
     OrientedPhoto
     """
-    from ...core.many import JOINT_PART, look_again, outcomes_of
+    from ...core.many import JOINT_PART
 
-    feedback, (start, stop) = told.feedback, share
-    middle = stop if len(requests) > BLOCK else start + JOINT_PART * (stop - start)
-    after: Any = subtask(FeedbackProgress(feedback), middle, stop)
-    if len(requests) > BLOCK:  # worker processes orient the next block meanwhile
-        after = StillProgress(feedback)
+    count, (start, stop) = len(requests), share
+    middle = stop if count > BLOCK else start + JOINT_PART * (stop - start)
+    after: Any = subtask(FeedbackProgress(told.feedback), middle, stop)
+    if count > BLOCK:  # the orientation has the whole bar
+        after = StillProgress(told.feedback)
     found = alone((start, middle, 1.0), workers)
-    for first in range(0, len(requests), BLOCK):
-        photos = list(islice(found, BLOCK))
-        _tell(photos, feedback)
-        tasks = [(request, None) for request in requests[first : first + BLOCK]]
-        together = look_again(tasks, photos, partial(outcomes_of, job, workers=workers), after, job.options)
-        helped = [(before, now) for before, now in zip(photos, together) if before is not now]
-        if helped:
-            feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
-        for before, now in helped:
-            told.revise(Path(now.path).name, before.orientation, now.orientation)
-        yield from together
-    next(found, None)  # the loop behind it runs to its end
+    for first in range(0, count, BLOCK):
+        last = first + BLOCK >= count
+        # The processes that orient the next block live on.
+        again = partial(_solved, job=job, told=told, progress=after, workers=workers if last else 1)
+        yield from _block(requests[first : first + BLOCK], found, again, last)
+
+
+def _block(requests, found, solved, last):
+    """Solve the next photographs; none of them stays in memory when the next block begins."""
+    photos = list(islice(found, BLOCK))
+    if last:
+        next(found, None)  # the loop behind it runs to its end, and its processes with it
+    yield from solved(requests, photos)
+
+
+def _solved(requests, photos, job, told, progress, workers):
+    from ...core.many import look_again, outcomes_of
+
+    feedback, tasks = told.feedback, [(request, None) for request in requests]
+    _tell(photos, feedback)
+    try:
+        together = look_again(tasks, photos, partial(outcomes_of, job, workers=workers), progress, job.options)
+    except Exception:  # a fault of ours, but no reason to lose the photographs
+        feedback.pushDebugInfo(traceback.format_exc())
+        feedback.pushWarning(tr("The photos could not be solved together, so each keeps its own answer."))
+        return photos
+    except Cancelled:
+        feedback.pushWarning(tr("Cancelled while the photos were solved together."))
+        raise
+    helped = [(before, now) for before, now in zip(photos, together) if before is not now]
+    if helped:
+        feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))
+    for before, now in helped:
+        told.revise(Path(now.path).name, before.orientation, now.orientation)
+    return together
 
 
 def _tell(photos, feedback):
