@@ -36,7 +36,7 @@ from .horizon.horizon import HorizonOptions
 from .io.folder import list_photos
 from .io.photo import read_metadata, read_photo
 from .io.report_file import ReportFile
-from .many import JOINT_PART, OrientJob, answers_of, look_again
+from .many import JOINT_PART, OrientJob, answers_of, together_or_alone
 from .mapping.monoplot import place_pixels
 from .mapping.sightline import SightOptions
 from .pipeline import OrientOptions
@@ -241,8 +241,8 @@ def orient_many(
     )
     together: Iterable[OrientedPhoto] = answers_of(outcomes, tasks)
     if joint:
-        again = partial(orient_all, job)
-        together = look_again(tasks, list(together), again, subtask(whole, JOINT_PART, 1.0), job.options)
+        again, part = partial(orient_all, job), subtask(whole, JOINT_PART, 1.0)
+        together, _ = together_or_alone(tasks, list(together), again, part, job.options)
     for index, oriented in enumerate(together):
         yield _in_python(oriented)
         if joint or index + 1 == len(listed):

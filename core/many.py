@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import traceback
 from dataclasses import dataclass
 from typing import Any
 
@@ -214,6 +215,28 @@ def look_again(tasks, photos, orient_all, progress, options=OrientOptions()):  #
     limits = Limits(options.robust.posterior.accept_at, options.robust.posterior.reject_below)
     together = answers_together(photos, again, known, ties, limits)
     return [after if number in free else photos[number] for number, after in enumerate(together)]
+
+
+def together_or_alone(tasks, photos, orient_all, progress, options=OrientOptions()):  # noqa: B008 - frozen
+    """Solve the photographs of a walk together as `look_again` does; a fault of ours leaves each its own answer.
+
+    Parameters
+    ----------
+    tasks, photos, orient_all, progress, options
+        As for `look_again`.
+
+    Returns
+    -------
+    list of OrientedPhoto
+    str or None
+        Traceback of the fault.
+    """
+    try:
+        return look_again(tasks, photos, orient_all, progress, options), None
+    except Exception:
+        details = traceback.format_exc()
+        logging.getLogger(__name__).error("%s", details)
+        return photos, details
 
 
 def station_of(request):

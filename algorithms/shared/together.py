@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -80,19 +79,19 @@ def _block(requests, found, solved, last):
 
 
 def _solved(requests, photos, job, told, progress, workers):
-    from ...core.many import look_again, outcomes_of
+    from ...core.many import outcomes_of, together_or_alone
 
     feedback, tasks = told.feedback, [(request, None) for request in requests]
     _tell(photos, feedback)
+    orient_all = partial(outcomes_of, job, workers=workers)
     try:
-        together = look_again(tasks, photos, partial(outcomes_of, job, workers=workers), progress, job.options)
-    except Exception:  # a fault of ours, but no reason to lose the photographs
-        feedback.pushDebugInfo(traceback.format_exc())
-        feedback.pushWarning(tr("The photos could not be solved together, so each keeps its own answer."))
-        return photos
+        together, details = together_or_alone(tasks, photos, orient_all, progress, job.options)
     except Cancelled:
         feedback.pushWarning(tr("Cancelled while the photos were solved together."))
         raise
+    if details is not None:
+        feedback.pushDebugInfo(details)
+        feedback.pushWarning(tr("The photos could not be solved together, so each keeps its own answer."))
     helped = [(before, now) for before, now in zip(photos, together) if before is not now]
     if helped:
         feedback.pushInfo(tr("{count} photos gained from their neighbours.").format(count=len(helped)))

@@ -91,6 +91,17 @@ def test_a_compass_that_each_has_used_already_is_not_used_again(ties, monkeypatc
     assert used == [True, False]
 
 
+def test_a_fault_of_ours_leaves_each_photograph_its_own_answer_in_python_too(monkeypatch, caplog):
+    def broken(*_):
+        raise RuntimeError("a matrix is singular")
+
+    monkeypatch.setattr(api, "OrientJob", Hinted)
+    monkeypatch.setattr(many, "look_again", broken)
+    found = list(api.orient_many(["0.jpg", "1.jpg"], None, joint=True))
+    assert headings(found) == headings(api.orient_many(["0.jpg", "1.jpg"], None))
+    assert "a matrix is singular" in caplog.text
+
+
 def test_in_python_the_progress_of_both_attempts_never_goes_back(monkeypatch):
     # The second and the third of three photographs are tied; which of them is right stays open.
     monkeypatch.setattr(api, "OrientJob", Hinted)
