@@ -18,7 +18,8 @@ from pathlib import Path
 
 import numpy as np
 from skyline_viewshed.core.base.angles import difference
-from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, orient_request
+from skyline_viewshed.core.batch import PhotoRequest, orient_request
+from skyline_viewshed.core.eyes import HorizonCache
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.pipeline import OrientOptions
 

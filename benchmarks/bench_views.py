@@ -28,12 +28,13 @@ from skyline_viewshed.core.base.angles import difference, wrap_360
 from skyline_viewshed.core.base.camera import Camera, Pose, focal_of_fov_px, project, unproject
 from skyline_viewshed.core.base.progress import SILENT
 from skyline_viewshed.core.base.terrain import Observer
-from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, orient_request
+from skyline_viewshed.core.batch import PhotoRequest, orient_request
+from skyline_viewshed.core.eyes import HorizonCache, other_eyes
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
 from skyline_viewshed.core.many import look_again
 from skyline_viewshed.core.match.prior import WIDE, CompassOptions, HeadingPrior, camera_prior, compass_prior
-from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo, other_eyes
+from skyline_viewshed.core.pipeline import Hints, OrientOptions, Setting, orient_photo
 from skyline_viewshed.core.workers.pool import Outcome
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))

@@ -23,11 +23,11 @@ from .base.landmark_hint import LandmarkHint
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.optional import require
 from .base.posed import PosedPhoto
-from .base.progress import Progress, ProgressLike, as_progress, subtask
+from .base.progress import ProgressLike, as_progress, subtask
 from .base.terrain import ArrayTerrain, Observer
 from .base.view import open_view
 from .base.viewed import Viewshed
-from .batch import PREVIEW_PX, HorizonCache, PhotoRequest, orient_request
+from .batch import PREVIEW_PX, PhotoRequest, orient_request
 from .cluster import spread_over
 from .figures.notebook import photo_html
 from .figures.overlay import overlay_image
@@ -187,7 +187,8 @@ def orient(
     ('accepted', 300)
     """
     chosen = _options(method, compass, options)
-    return _orient(photo, dem, chosen, HorizonCache(), as_progress(progress), facts)
+    request, taken = _task(photo, chosen, facts)
+    return _in_python(orient_request(request, dem, chosen, progress=as_progress(progress), photo=taken))
 
 
 # parameters: each is a name that callers write; a Dask client alone says where the work is done
@@ -518,13 +519,6 @@ def save_viewshed(seen: Viewshed, dem: Dem, path: PathLike, facts: dict[str, Any
 def _options(method: str | None, compass: str | None, options: OrientOptions | None) -> OrientOptions:
     options = options or OrientOptions()
     return replace(options, method=method or options.method, compass=compass or options.compass)
-
-
-def _orient(
-    photo: PhotoLike, dem: DemLike, options: OrientOptions, cache: HorizonCache, progress: Progress, facts: dict
-) -> OrientedPhoto:
-    request, taken = _task(photo, options, facts)
-    return _in_python(orient_request(request, dem, options, cache, progress, taken))
 
 
 def _task(photo: PhotoLike, options: OrientOptions, facts: dict) -> tuple[PhotoRequest, Photo | None]:

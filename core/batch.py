@@ -22,10 +22,11 @@ from .base.model import Orientation, OrientedPhoto
 from .base.place import position_error_of, position_of
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, ground_elevation_m
+from .eyes import HorizonCache, other_eyes
 from .io.photo import read_metadata, read_photo
 from .match.landmarks import Landmark
 from .match.prior import CompassOptions, HeadingPrior, camera_prior, compass_prior, true_heading_deg
-from .pipeline import Hints, HorizonCache, OrientOptions, Setting, orient_photo, other_eyes
+from .pipeline import Hints, OrientOptions, Setting, orient_photo
 from .skyline.given import evidence_from_line, evidence_from_mask
 
 PREVIEW_PX = 1024

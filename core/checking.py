@@ -13,10 +13,11 @@ from .base.messages import Message
 from .base.model import OrientedPhoto
 from .base.progress import SILENT, subtask
 from .batch import PhotoRequest, orient_request
+from .eyes import HorizonCache
 from .locate.fit import FitOptions, best_over_scales, curves_of, move
 from .locate.fitted import FittedPlaces, distinct
 from .locate.judge import ellipse
-from .pipeline import HorizonCache, OrientOptions
+from .pipeline import OrientOptions
 from .searching import LocateOptions, SkylineProblem, horizons_at, horizons_seen, lens, picture_of
 
 

@@ -13,6 +13,7 @@ from .base.errors import PhotoError, TerrainError
 from .base.messages import Message
 from .base.model import Orientation, OrientedPhoto
 from .base.progress import subtask
+from .eyes import HorizonCache
 from .io.photo import read_photo
 from .joint.alone import alone_of
 from .joint.answers import Limits, answers_together
@@ -22,7 +23,7 @@ from .joint.pairs import ties_between
 from .joint.together import beliefs
 from .match.posterior import table
 from .paper.skyline import extract_skyline_paper
-from .pipeline import HorizonCache, OrientOptions
+from .pipeline import OrientOptions
 from .skyline.evidence import skyline_evidence
 from .viewshed.station import viewsheds_at
 from .workers.interpreter import worker_count

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from dataclasses import dataclass, field, replace
 
 from .base.errors import ObserverError, SkylineNotFoundError
@@ -11,13 +10,13 @@ from .base.model import HorizonProfile, Orientation, OrientedPhoto, SkylineEvide
 from .base.progress import SILENT, subtask
 from .base.terrain import Observer, ground_elevation_m
 from .base.uncertainty import TYPICAL_POSITION_ERROR_M
-from .horizon.horizon import HorizonOptions, horizon_profile
+from .eyes import cast_horizon
+from .horizon.horizon import HorizonOptions
 from .horizon.inner import InnerOptions, InnerTerrain, inner_terrain
-from .match.inputs import Eye, EyeOptions, MatchInputs, differs, eye_offsets_m
+from .match.inputs import EyeOptions, MatchInputs
 from .match.landmarks import match_with_landmarks
 from .match.prior import CameraPrior, HeadingPrior
 from .match.robust import RobustOptions, match_robust
-from .paper.horizon import PaperHorizonOptions, paper_horizon
 from .paper.method import PaperOptions, orient_by_paper
 from .skyline.evidence import SkylineOptions, skyline_evidence
 from .skyline.plausible import check_skyline
@@ -60,7 +59,7 @@ class OrientOptions:
 
     @property
     def horizon_of_method(self):
-        """Horizon options of the chosen method; their type selects the engine in `cast_horizon`."""
+        """Horizon options of the chosen method; their type selects the engine in `core.eyes`."""
         if self.method == "robust":
             return self.horizon
         rays = self.paper.horizon
@@ -105,7 +104,7 @@ class Setting:
     position_error_m : float
         Standard deviation of the position [m].
     other_eyes : tuple of Eye
-        See `other_eyes`.
+        See `core.eyes.other_eyes`.
     """
 
     observer: Observer
@@ -115,105 +114,6 @@ class Setting:
     inner: InnerTerrain | None = None
     position_error_m: float = TYPICAL_POSITION_ERROR_M
     other_eyes: tuple = ()
-
-
-def cast_horizon(terrain, observer, options, progress=SILENT):
-    """Compute the horizon by either method.
-
-    Parameters
-    ----------
-    terrain : Terrain
-    observer : Observer
-    options : HorizonOptions or PaperHorizonOptions
-        Their type selects the method.
-    progress : Progress
-
-    Returns
-    -------
-    HorizonProfile
-    """
-    if isinstance(options, PaperHorizonOptions):
-        return paper_horizon(terrain, observer, replace(options, eye_height_m=observer.eye_height_m), progress)
-    return horizon_profile(terrain, observer, options, progress)
-
-
-class HorizonCache:
-    """Cache of the last horizons and the terrain below them, for photographs taken from one station.
-
-    Parameters
-    ----------
-    size : int
-        Number of eyes kept; each takes about 4 MB. A station has up to five, at several elevations.
-    """
-
-    def __init__(self, size=16):
-        self.size = size
-        self._kept = OrderedDict()
-
-    def profile(self, dem, observer, options, progress=SILENT):
-        """Return the observer's `HorizonProfile`, computed only if it is not cached.
-
-        Parameters
-        ----------
-        dem : core.io.raster.Dem
-        observer : Observer
-        options : HorizonOptions or PaperHorizonOptions
-        progress : Progress
-        """
-        return self._look_up(cast_horizon, dem, observer, options, progress)
-
-    def inner(self, dem, observer, options, progress=SILENT):
-        """Return the `InnerTerrain` below the observer's horizon in the same way.
-
-        Parameters
-        ----------
-        dem, observer, progress
-            As for `profile`.
-        options : InnerOptions
-        """
-        return self._look_up(inner_terrain, dem, observer, options, progress)
-
-    def _look_up(self, compute, dem, observer, options, progress):
-        # A DEM is equal only to itself; as part of the key it stays alive as long as its results do.
-        key = (compute, dem, observer, options)
-        if key not in self._kept:
-            self._kept[key] = compute(dem, observer, options, progress)
-            while len(self._kept) > 2 * self.size:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
-
-
-def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
-    """Compute what the DEM shows from further elevations of the eye; none if the eye's elevation is given.
-
-    Parameters
-    ----------
-    terrain : Terrain
-    observer : Observer
-    horizon : HorizonProfile
-        From the assumed eye.
-    altitude_m : float or None
-        As the photograph records it [m].
-    options : OrientOptions
-    cache : HorizonCache
-
-    Returns
-    -------
-    tuple of Eye
-    """
-    if observer.eye_elevation_m is not None:
-        return ()
-    assumed_m, error = horizon.eye_elevation_m, options.robust.refine.terrain_error_cells
-    recorded = None if altitude_m is None else altitude_m - assumed_m
-    found, shown = [], [horizon]
-    for offset_m, log_prior in eye_offsets_m(horizon.cell_m, recorded, options.eyes):
-        place = replace(observer, eye_elevation_m=assumed_m + offset_m)
-        other = cache.profile(terrain, place, options.horizon)
-        if all(differs(earlier, other, error, options.eyes) for earlier in shown):
-            found.append(Eye(other, cache.inner(terrain, place, options.inner), log_prior))
-            shown.append(other)
-    return tuple(found)
 
 
 def orient_photo(photo, terrain, setting, options=OrientOptions(), progress=SILENT):  # noqa: B008 - frozen

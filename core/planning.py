@@ -12,9 +12,10 @@ from .base.curvature import METRES_PER_DEGREE
 from .base.model import HorizonProfile, OrientedPhoto, Photo, PhotoMetadata
 from .base.progress import SILENT, subtask
 from .batch import PhotoRequest, orient_request
+from .eyes import HorizonCache
 from .horizon.horizon import HorizonOptions, horizon_profile
 from .locate.unique import Orientability, UniqueOptions, orientability
-from .pipeline import HorizonCache, OrientOptions
+from .pipeline import OrientOptions
 from .simulate.detail import DetailedTerrain
 from .simulate.render import render_view
 from .simulate.scene import SceneOptions

@@ -12,7 +12,8 @@ from .base.errors import MissingMetadataError, ObserverError, PhotoError
 from .base.progress import SILENT, checkpoint, subtask
 from .base.terrain import Observer
 from .batch import PREVIEW_PX
-from .horizon.horizon import HorizonOptions, horizon_profile
+from .horizon.horizon import HorizonOptions, horizon_from
+from .horizon.surroundings import Surroundings
 from .io.photo import read_photo
 from .locate.fit import best_over_scales, curves_of
 from .match.geometry import HorizonCurve
@@ -137,13 +138,14 @@ class SkylineFit:
 
     def _computed(self, place, kind):
         observer = Observer(place.longitude_deg, place.latitude_deg, self.eye_height_m)
-        assumed = horizon_profile(self.dem, observer, CLOCK_HORIZON)
+        around = Surroundings(self.dem, place.longitude_deg, place.latitude_deg, CLOCK_HORIZON)
+        assumed = horizon_from(around, observer, CLOCK_HORIZON)
         if kind == COARSE:
             return (assumed,)
         eye_m = assumed.eye_elevation_m
         recorded = None if place.elevation_m is None else place.elevation_m - eye_m
         others = [replace(observer, eye_elevation_m=eye_m + up) for up, _ in eye_offsets_m(assumed.cell_m, recorded)]
-        return (assumed, *(horizon_profile(self.dem, other, CLOCK_HORIZON) for other in others))
+        return (assumed, *(horizon_from(around, other, CLOCK_HORIZON) for other in others))
 
 
 # parameters: the photographs and what is known of them, which callers have as lists

@@ -78,13 +78,14 @@ def solve(path, dem):
     from skyline_viewshed.core.base.errors import PhotoError
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
+    from skyline_viewshed.core.eyes import HorizonCache, other_eyes
     from skyline_viewshed.core.horizon.horizon import horizon_profile
     from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match.inputs import MatchInputs
     from skyline_viewshed.core.match.prior import camera_prior
     from skyline_viewshed.core.match.robust import find_answers
-    from skyline_viewshed.core.pipeline import HorizonCache, OrientOptions, other_eyes
+    from skyline_viewshed.core.pipeline import OrientOptions
     from skyline_viewshed.core.skyline.evidence import skyline_evidence
 
     options = OrientOptions()

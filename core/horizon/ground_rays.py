@@ -7,6 +7,7 @@ questions about that terrain are answered from the same samples.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -49,25 +50,72 @@ class RayOptions:
 
 
 @dataclass(frozen=True, eq=False)
-class GroundRays:
-    """Samples along rays.
+class GroundSamples:
+    """Terrain along rays around one place, whatever the elevation of the eye.
 
     Attributes
     ----------
     azimuth_deg : (A,) array
         Regular over the circle, clockwise from true north [degrees].
     distance_m : (D,) array
-        Increasing [m]; fewer than three values if the terrain does not reach that far.
+        Increasing [m]; empty if the terrain reaches fewer than three samples far.
     elevation_m : (A, D) array
         Elevations [m]; NaN outside the DEM and in voids.
-    tangent : (A, D) array
-        Tangent of the elevation angle at which the sample would be seen if nothing stood before it; NaN as above.
+    drop_m : (D,) array
+        Apparent drop by curvature and refraction [m].
     """
 
     azimuth_deg: np.ndarray
     distance_m: np.ndarray
     elevation_m: np.ndarray
+    drop_m: np.ndarray
+
+    @cached_property
+    def normals(self):
+        """East, north and up components of the surface's unit normal at every sample, three (A, D) arrays."""
+        turn = np.radians(self.azimuth_deg)[:, None]
+        outwards = np.gradient(self.elevation_m, self.distance_m, axis=1)
+        neighbours = np.roll(self.elevation_m, -1, axis=0) - np.roll(self.elevation_m, 1, axis=0)
+        across = neighbours / (2 * np.radians(self.azimuth_deg[1] - self.azimuth_deg[0]) * self.distance_m)
+        east = -(outwards * np.sin(turn) + across * np.cos(turn))
+        north = -(outwards * np.cos(turn) - across * np.sin(turn))
+        length = np.sqrt(1 + east**2 + north**2)
+        return east / length, north / length, 1 / length
+
+    def seen_from(self, eye_m):
+        """Return the `GroundRays` of an eye at an elevation [m]."""
+        return GroundRays(self, (self.elevation_m - eye_m - self.drop_m) / self.distance_m)
+
+
+@dataclass(frozen=True, eq=False)
+class GroundRays:
+    """Samples along rays, as seen from one eye.
+
+    Attributes
+    ----------
+    samples : GroundSamples
+    tangent : (A, D) array
+        Tangent of the elevation angle at which the sample would be seen if nothing stood before it; NaN where its
+        elevation is.
+    """
+
+    samples: GroundSamples
     tangent: np.ndarray
+
+    @property
+    def azimuth_deg(self):
+        """(A,) azimuths, clockwise from true north [degrees]."""
+        return self.samples.azimuth_deg
+
+    @property
+    def distance_m(self):
+        """(D,) distances [m]."""
+        return self.samples.distance_m
+
+    @property
+    def elevation_m(self):
+        """(A, D) elevations [m]; NaN outside the DEM and in voids."""
+        return self.samples.elevation_m
 
 
 def cast_ground_rays(terrain, observer, options=RayOptions(), progress=SILENT):  # noqa: B008 - frozen
@@ -90,17 +138,34 @@ def cast_ground_rays(terrain, observer, options=RayOptions(), progress=SILENT): 
     """
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, options.max_distance_m)
     eye_m = eye_elevation_m(terrain, frame, observer)
+    return ground_samples(terrain, frame, options, progress).seen_from(eye_m)
+
+
+def ground_samples(terrain, frame, options=RayOptions(), progress=SILENT):  # noqa: B008 - frozen
+    """Sample the terrain all around a place.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    frame : LocalFrame
+        Frame around the place, to the distance at which the rays end.
+    options : RayOptions
+    progress : Progress
+
+    Returns
+    -------
+    GroundSamples
+    """
     reach = min(options.max_distance_m, options.max_cells * min(frame.cell_size_m))
     distance = _distances(frame.cell_m, reach, options)
     azimuth = np.arange(0, 360, options.azimuth_step_deg)
     if len(distance) < 3:
-        return GroundRays(azimuth, np.zeros(0), *np.zeros((2, len(azimuth), 0)))
+        return GroundSamples(azimuth, np.zeros(0), np.zeros((len(azimuth), 0)), np.zeros(0))
     checkpoint(progress, 0.0)
     turn = np.radians(azimuth)[:, None]
     elevation = _sample(terrain, *frame.to_pixel(distance * np.sin(turn), distance * np.cos(turn)))
     checkpoint(progress, 0.9)
-    drop = apparent_drop_m(distance, options.refraction_coefficient)
-    return GroundRays(azimuth, distance, elevation, (elevation - eye_m - drop) / distance)
+    return GroundSamples(azimuth, distance, elevation, apparent_drop_m(distance, options.refraction_coefficient))
 
 
 def _distances(cell_m, reach_m, options):

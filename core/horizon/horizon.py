@@ -13,19 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
-from ..base.errors import ObserverOutsideDemError
 from ..base.model import HorizonProfile
 from ..base.progress import SILENT, subtask
-from ..base.terrain import Window, eye_elevation_m
-from .blocks import STRIP_ROWS, HeldTerrain, aligned, block_maxima
-from .rays import EyeRays, lay_rays
+from ..base.terrain import eye_elevation_m
+from .rays import EyeRays
 from .search import Search, nothing_found
-
-BLOCK = 8
-"""Side of the blocks whose maxima bound the rays' intervals [cells]."""
-
-MAX_PAIRS = 32_000_000
-"""Most (ray, interval) pairs in memory at once; above this, blocks and intervals are doubled."""
+from .surroundings import Surroundings
 
 
 @dataclass(frozen=True)
@@ -111,57 +104,38 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
     """
-    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, options.max_distance_m)
-    rows, cols = terrain.shape
-    if not (-0.5 <= frame.row_px <= rows - 0.5 and -0.5 <= frame.col_px <= cols - 0.5):
-        raise ObserverOutsideDemError(observer.longitude_deg, observer.latitude_deg)
-    eye_m = eye_elevation_m(terrain, frame, observer)
-    rays = lay_rays(frame, terrain.shape, options.azimuth_deg, options.max_distance_m)
-    edge_m, block = _intervals(rays, options.near_skip_cells * frame.cell_m)
-    sight = EyeRays(rays, edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, frame.cell_m)
-    if len(edge_m) < 2:
-        return _profile(sight, options, -np.inf, nothing_found(rays))
+    around = Surroundings(terrain, observer.longitude_deg, observer.latitude_deg, options)
+    return horizon_from(around, observer, options, progress)
 
-    window = aligned(_window(rays, terrain.shape), block, terrain.shape)
-    terrain = HeldTerrain(terrain, window, frame.row_px, options.memory_mb)
-    margin_px = 3 * block
 
-    def columns(first_row, last_row):
-        return rays.columns(first_row, last_row, margin_px)
+def horizon_from(around, observer, options, progress=SILENT):
+    """Find the horizon from one of the eyes at a place; see `horizon_profile`.
 
-    blocks = block_maxima(terrain, window, block, subtask(progress, 0.0, 0.7), columns)
+    Parameters
+    ----------
+    around : Surroundings
+        Of the observer's position, made with the same options.
+    observer : Observer
+    options : HorizonOptions
+    progress : Progress
+
+    Returns
+    -------
+    HorizonProfile
+
+    Raises
+    ------
+    NoElevationAtObserverError
+    """
+    cell_m = around.frame.cell_m
+    eye_m = eye_elevation_m(around.terrain, around.frame, observer)
+    sight = EyeRays(around.rays, around.edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, cell_m)
+    if len(around.edge_m) < 2:
+        return _profile(sight, options, -np.inf, nothing_found(around.rays))
+    blocks = around.blocks(subtask(progress, 0.0, 0.7))
     summit_m = blocks.summit_m if options.summit_m is None else options.summit_m
-    found = Search(terrain, sight, blocks, summit_m).run(frame.cell_m, subtask(progress, 0.7, 1.0))
+    found = Search(around.cells, sight, blocks, summit_m).run(cell_m, subtask(progress, 0.7, 1.0))
     return _profile(sight, options, summit_m, found)
-
-
-def _intervals(rays, start_m):
-    """Edges of the rays' intervals [m], and the block size whose bound covers the intervals."""
-    furthest = float(rays.reach_m.max())
-    if furthest <= start_m:
-        return np.array([start_m]), BLOCK
-    block = BLOCK
-    while True:
-        # Half an interval and the interpolation's stencil fit into one block's width.
-        length = 2 * (block - 1.5) / rays.pixels_per_metre
-        count = int(np.ceil((furthest - start_m) / length))
-        if count * len(rays.azimuth_deg) <= MAX_PAIRS or block >= STRIP_ROWS:
-            break
-        block *= 2
-    edge = start_m + length * np.arange(count + 1)
-    edge[-1] = furthest
-    return edge, block
-
-
-def _window(rays, shape):
-    """Rectangle of cells that the rays touch."""
-    col, row = rays.at_pairs(np.arange(len(rays.reach_m)), rays.reach_m)
-    inside = rays.node_m <= rays.reach_m[:, None]
-    col = np.concatenate([col, rays.col_px[inside]])
-    row = np.concatenate([row, rays.row_px[inside]])
-    top, left = int(np.floor(row.min())) - 1, int(np.floor(col.min())) - 1
-    bottom, right = int(np.ceil(row.max())) + 2, int(np.ceil(col.max())) + 2
-    return Window(top, left, bottom - top, right - left).clipped(shape)
 
 
 def _profile(sight, options, summit_m, found):

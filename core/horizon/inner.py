@@ -52,7 +52,21 @@ def inner_terrain(terrain, observer, options=InnerOptions(), progress=SILENT):  
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
     """
-    rays = cast_ground_rays(terrain, observer, options.rays, progress)
+    return inner_from(cast_ground_rays(terrain, observer, options.rays, progress), options)
+
+
+def inner_from(rays, options=InnerOptions()):  # noqa: B008 - frozen
+    """Find the ridges and the ground in view; see `inner_terrain`.
+
+    Parameters
+    ----------
+    rays : GroundRays
+    options : InnerOptions
+
+    Returns
+    -------
+    InnerTerrain
+    """
     return InnerTerrain(occlusion_edges(rays, options.ridges), ground_view(rays))
 
 
@@ -119,18 +133,6 @@ def ground_view(rays):
     seen = (sample > 0) & (sample < len(rays.distance_m))
     sample = np.where(seen, sample, 0)
     ray = np.arange(len(rays.azimuth_deg))[None, :]
-    surface = (*_normals(rays), np.log(rays.distance_m)[None, :], rays.elevation_m / 1000)
+    surface = (*rays.samples.normals, np.log(rays.distance_m)[None, :], rays.elevation_m / 1000)
     planes = [np.broadcast_to(plane, rays.tangent.shape)[ray, sample] for plane in surface]
     return GroundView(step, float(first), step, np.where(seen, planes, np.nan).astype(np.float16))
-
-
-def _normals(rays):
-    """East, north and up components of the surface's unit normal at every sample, three (A, D) arrays."""
-    turn = np.radians(rays.azimuth_deg)[:, None]
-    outwards = np.gradient(rays.elevation_m, rays.distance_m, axis=1)
-    neighbours = np.roll(rays.elevation_m, -1, axis=0) - np.roll(rays.elevation_m, 1, axis=0)
-    across = neighbours / (2 * np.radians(rays.azimuth_deg[1] - rays.azimuth_deg[0]) * rays.distance_m)
-    east = -(outwards * np.sin(turn) + across * np.cos(turn))
-    north = -(outwards * np.cos(turn) - across * np.sin(turn))
-    length = np.sqrt(1 + east**2 + north**2)
-    return east / length, north / length, 1 / length

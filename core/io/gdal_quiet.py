@@ -11,6 +11,9 @@ CACHE_BYTES = 8 * 2**20, 64 * 2**20
 """Smallest and largest size of GDAL's block cache during a transfer [bytes]; its default is 5 % of the memory. A
 smaller cache is faster: on an uncompressed file, 8 MB take a third of the time of 64 MB."""
 
+MOSAICS = ("VRT", "GTI")
+"""Drivers that give the size of their own blocks, which is not that of the blocks in their tiles."""
+
 
 @contextmanager
 def quiet_gdal(warnings=False):
@@ -96,6 +99,21 @@ def _setting(name, value):
         yield
     finally:
         gdal.SetThreadLocalConfigOption(name, before)
+
+
+def row_of_blocks(dataset, band, cols):
+    """Return the size in GDAL's cache of one row of blocks across a window [bytes].
+
+    Parameters
+    ----------
+    dataset, band : gdal.Dataset, gdal.Band
+    cols : int
+        Width of the window [cells].
+    """
+    if dataset.GetDriver().ShortName in MOSAICS:
+        return CACHE_BYTES[1]
+    width, height = band.GetBlockSize()
+    return (cols // width + 2) * width * height * max(available("osgeo.gdal").GetDataTypeSize(band.DataType) // 8, 1)
 
 
 @contextmanager

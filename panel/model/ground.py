@@ -123,7 +123,7 @@ def ground_of(terrain, observer, cache, progress):
     ----------
     terrain : core.io.raster.Dem
     observer : Observer
-    cache : core.pipeline.HorizonCache
+    cache : core.eyes.HorizonCache
     progress : Progress
 
     Raises

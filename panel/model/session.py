@@ -49,7 +49,7 @@ class DemHolder:
 
     def cache(self):
         """Horizons that this thread has computed."""
-        from ...core.pipeline import HorizonCache
+        from ...core.eyes import HorizonCache
 
         if not hasattr(self._opened, "cache"):
             self._opened.cache = HorizonCache(STATIONS)

@@ -55,7 +55,8 @@ def snapped(item, draft, ground, dem, evidence, free=False, progress=None):
         For the person.
     """
     from ...core.batch import orient_request
-    from ...core.pipeline import HorizonCache, OrientOptions
+    from ...core.eyes import HorizonCache
+    from ...core.pipeline import OrientOptions
 
     with tempfile.TemporaryDirectory() as folder:
         request = _request(item, draft, ground, evidence, free, folder)

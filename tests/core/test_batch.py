@@ -11,7 +11,8 @@ from skyline_viewshed.core.base.camera import project
 from skyline_viewshed.core.base.declination import declination_deg
 from skyline_viewshed.core.base.errors import TerrainError, UnusableDemError
 from skyline_viewshed.core.base.landmark_hint import LandmarkHint
-from skyline_viewshed.core.batch import HorizonCache, PhotoRequest, doubt_of_heights, orient_request
+from skyline_viewshed.core.batch import PhotoRequest, doubt_of_heights, orient_request
+from skyline_viewshed.core.eyes import HorizonCache
 from skyline_viewshed.core.io.dem_reading import DemReading
 from skyline_viewshed.core.io.photo import read_photo
 from skyline_viewshed.core.io.raster import open_dem
@@ -117,18 +118,6 @@ def test_photos_of_one_station_share_the_horizon(scene, dem):
     assert first.horizon is second.horizon
     moved = orient_request(replace(request, eye_height_m=5.0), dem, cache=cache)
     assert moved.horizon is not first.horizon
-
-
-def test_the_cache_is_bounded(dem, scene):
-    from skyline_viewshed.core.base.terrain import Observer
-    from skyline_viewshed.core.horizon.horizon import HorizonOptions
-
-    cache = HorizonCache(size=2)
-    options = HorizonOptions(azimuth_step_deg=30.0, max_distance_m=2000.0)
-    longitude, latitude = scene.positions["north"]
-    profiles = [cache.profile(dem, Observer(longitude, latitude, h), options) for h in range(2, 9)]
-    assert cache.profile(dem, Observer(longitude, latitude, 8), options) is profiles[-1]
-    assert cache.profile(dem, Observer(longitude, latitude, 2), options) is not profiles[0]
 
 
 def test_an_eye_elevation_is_used(scene, dem, north):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from osgeo import gdal
@@ -9,6 +11,13 @@ from rasters import make_tif, whole
 from skyline_viewshed.core.base.terrain import Window
 from skyline_viewshed.core.io import raster
 from skyline_viewshed.core.io.raster import open_dem
+
+READ_BYTES = Path("/proc/self/io")
+
+
+def bytes_read():
+    """Bytes that this process has read so far."""
+    return int(READ_BYTES.read_text(encoding="utf-8").split()[1])
 
 
 @pytest.mark.parametrize("dtype", ["int16", "int32", "float32", "float64"])
@@ -127,6 +136,20 @@ def test_vrt_and_cog_give_the_same_cells(tmp_path, hills):
     gdal.Translate(str(tmp_path / "cog.tif"), source, format="COG").FlushCache()
     for name in ("a.vrt", "cog.tif"):
         assert np.array_equal(whole(open_dem(tmp_path / name)), hills)
+
+
+@pytest.mark.skipif(not READ_BYTES.exists(), reason="Linux counts the bytes that a process reads")
+def test_a_mosaic_of_large_blocks_is_read_once(tmp_path):
+    """The mosaic's own blocks are small, so GDAL must keep the rows of its tiles' blocks from strip to strip."""
+    heights = np.random.default_rng(4).uniform(0, 3000, (1100, 4096)).astype(np.float32)
+    blocks = ["TILED=YES", "BLOCKXSIZE=1024", "BLOCKYSIZE=1024"]
+    tile = str(tmp_path / "tile.tif")
+    gdal.Translate(tile, make_tif(tmp_path / "a.tif", heights), creationOptions=blocks).FlushCache()
+    gdal.BuildVRT(str(tmp_path / "a.vrt"), [tile]).FlushCache()
+    dem, before = open_dem(tmp_path / "a.vrt"), bytes_read()
+    for row in range(0, 1024, 256):
+        assert np.array_equal(dem.read(Window(row, 0, 256, 4096)), heights[row : row + 256])
+    assert bytes_read() - before < 1.5 * 1024 * 4096 * 4
 
 
 @pytest.mark.data
