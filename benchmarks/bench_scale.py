@@ -1,11 +1,12 @@
 """Is a run linear in photographs and flat in memory? The same photographs at jittered places over a DEM of tiles.
 
-    python benchmarks/bench_scale.py [--sizes 100,200,400] [--pixels 800] [--data ../shared/data]
-    python benchmarks/bench_scale.py --archive FOLDER [--sizes 10000] [--workers 2]
+    python benchmarks/bench_scale.py [--sizes 100,200,400] [--distinct 300] [--pixels 800] [--data ../shared/data]
+    python benchmarks/bench_scale.py --archive FOLDER [--sizes 10000] [--distinct 300] [--workers 2]
 
 Each size is a process of its own, which keeps no answer. The DEM is cut into 100 tiles that a VRT joins, and the
-photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own. Prints figures for
-docs/scale.md; processor times are more reliable than wall times on a machine with other work.
+photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own; with `--distinct`
+so many pictures of four regions (scale_photos.py). Prints figures for docs/scale.md; processor times are more reliable
+than wall times on a machine with other work.
 
 With `--archive` one run of the last size works as an archive's does: in worker processes, with a result file for each
 chunk, so that it may be stopped at any time, and the same command goes on. `FOLDER/log.csv` gets a line for every
@@ -23,69 +24,58 @@ import tempfile
 import time
 from pathlib import Path
 
-import numpy as np
 import skyline_viewshed as sv
-from osgeo import gdal
-from PIL import Image
 from skyline_viewshed.core.cluster import CHUNK, RowsOfChunk, rows_with_files
+from skyline_viewshed.core.io.raster import Dem
 from skyline_viewshed.core.io.vector import point_fields, write_points
 from skyline_viewshed.core.many import OrientJob
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from scale_photos import KNOWN, prepare, requests  # noqa: E402
+
 DATA = Path(os.environ.get("SKYLINE_DATA", Path(__file__).resolve().parents[2] / "shared" / "data"))
-TILES = 10
-JITTER_M = 300.0
 
 
-def make_tiles(source, folder):
-    """Cut a DEM into 10 x 10 compressed tiles and return the VRT that joins them."""
-    dataset = gdal.Open(str(source))
-    rows, cols = (np.linspace(0, size, TILES + 1).astype(int) for size in (dataset.RasterYSize, dataset.RasterXSize))
-    tiles = []
-    for row, (top, bottom) in enumerate(zip(rows[:-1].tolist(), rows[1:].tolist())):
-        for col, (left, right) in enumerate(zip(cols[:-1].tolist(), cols[1:].tolist())):
-            tiles.append(str(folder / f"{row}-{col}.tif"))
-            window = [left, top, right - left, bottom - top]
-            gdal.Translate(tiles[-1], dataset, srcWin=window, creationOptions=["COMPRESS=DEFLATE", "TILED=YES"])
-    gdal.BuildVRT(str(folder / "tiles.vrt"), tiles).FlushCache()
-    return folder / "tiles.vrt"
+EACH = "DEM windows each", "million cells each", "MB read each"
 
 
-def reduced(source, folder, pixels):
-    """Write a photograph at a reduced size, with its metadata, and return the path."""
-    picture = Image.open(source)
-    path = folder / Path(source).name
-    exif = picture.info.get("exif", b"")
-    picture.thumbnail((pixels, pixels))
-    picture.save(path, quality=90, exif=exif)
-    return str(path)
+class DemReads:
+    """Counts the windows and cells that are read of elevation models, and the bytes that this process reads."""
+
+    def __init__(self):
+        self.windows = self.cells = 0
+        self._before, read_into = bytes_read("self"), Dem.read_into
+
+        def counted(dem, window, out):
+            self.windows, self.cells = self.windows + 1, self.cells + window.rows * window.cols
+            read_into(dem, window, out)
+
+        Dem.read_into = counted
+
+    @property
+    def megabytes(self):
+        """Read by this process since, also of photographs [MB]."""
+        return (bytes_read("self") - self._before) / 1e6
 
 
-def requests(paths, count):
-    """`count` photographs at jittered places, the same ones in every run."""
-    rng = np.random.default_rng(7)
-    found = []
-    for index in range(count):
-        path = paths[index % len(paths)]
-        known = sv.read_metadata(path)
-        east, north = rng.uniform(-JITTER_M, JITTER_M, 2) / 111_195.0
-        longitude = known.longitude_deg + east / np.cos(np.radians(known.latitude_deg))
-        found.append(sv.PhotoRequest(path, float(longitude), float(known.latitude_deg + north)))
-    return found
+def bytes_read(process):
+    """Bytes that a process has read so far, from files or the cache of the system."""
+    return int(Path(f"/proc/{process}/io").read_text(encoding="utf-8").split()[1])
 
 
 def run(folder, count):
-    """Orient `count` photographs in this process and print wall and processor seconds and the largest memory."""
-    photos = requests([str(path) for path in sorted(folder.glob("*.jpg"))], count)
-    dem = sv.open_dem(folder / "tiles.vrt")
+    """Orient `count` photographs in this process and print seconds, the largest memory, and reads of the DEM."""
+    photos, dem, reads = requests(folder, count), sv.open_dem(folder / "tiles.vrt"), DemReads()
     started, statuses = time.monotonic(), []
     for photo in sv.orient_many(photos, dem):
         statuses.append(photo.status)
     usage = resource.getrusage(resource.RUSAGE_SELF)
     cpu = usage.ru_utime + usage.ru_stime
     told = ", ".join(f"{statuses.count(name)} {name}" for name in sorted(set(statuses)))
+    wall = time.monotonic() - started
     print(
-        f"| {count} | {cpu:.0f} | {cpu / count:.2f} | {usage.ru_maxrss / 1024:.0f} | "
-        f"{time.monotonic() - started:.0f} | {told} |",
+        f"| {count} | {cpu:.0f} | {cpu / count:.2f} | {usage.ru_maxrss / 1024:.0f} | {wall:.0f} | "
+        f"{reads.windows / count:.1f} | {reads.cells / count / 1e6:.2f} | {reads.megabytes / count:.2f} | {told} |",
         flush=True,
     )
 
@@ -133,7 +123,7 @@ def usage_of(process):
 
 def archive(folder, count, workers):
     """Orient `count` photographs with a result file for each chunk, and join them; go on where an earlier run ended."""
-    photos = requests([str(path) for path in sorted(folder.glob("*.jpg"))], count)
+    photos = requests(folder, count)
     job = OrientJob(sv.open_dem(folder / "tiles.vrt"), sv.OrientOptions())
     tasks, work = [(photo, None) for photo in photos], RowsOfChunk(job, job.options.horizon.max_distance_m)
     log = Log(folder / "log.csv", count - CHUNK * len(list(folder.glob("chunks/*.json"))))
@@ -143,27 +133,21 @@ def archive(folder, count, workers):
     print(len(rows), ", ".join(f"{statuses.count(name)} {name}" for name in sorted(set(statuses))))
 
 
-def prepare(folder, given):
-    """Write tiles and reduced photographs."""
-    make_tiles(given.data / "khumbu-trek" / "dem" / "dem.tif", folder)
-    for path in sv.list_photos(given.data / "khumbu-trek" / "photos"):
-        reduced(path, folder, given.pixels)
-
-
 def main():
     """Prepare files and run each size in a process of its own."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sizes", default="100,200,400")
     parser.add_argument("--pixels", type=int, default=800)
+    parser.add_argument("--distinct", type=int, help="pictures that differ, of four regions, most of them views")
     parser.add_argument("--data", type=Path, default=DATA)
     parser.add_argument("--archive", type=Path, help="keep all in this folder, and go on with what lies there")
     parser.add_argument("--workers", type=int, default=2, help="with --archive")
     parser.add_argument("--folder", type=Path, help="used by the program itself")
     given = parser.parse_args()
     if given.archive:
-        if not (given.archive / "tiles.vrt").exists():
+        if not (given.archive / KNOWN).exists():
             given.archive.mkdir(parents=True, exist_ok=True)
-            prepare(given.archive, given)
+            prepare(given.archive, given.data, given.pixels, given.distinct)
         archive(given.archive, int(given.sizes.split(",")[-1]), given.workers)
         return
     if given.folder:
@@ -171,8 +155,9 @@ def main():
         return
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        prepare(folder, given)
-        print("| photographs | CPU s | CPU s each | memory MB | wall s | statuses |", "| --- " * 6 + "|", sep="\n")
+        prepare(folder, given.data, given.pixels, given.distinct)
+        titles = "photographs", "CPU s", "CPU s each", "memory MB", "wall s", *EACH, "statuses"
+        print("| " + " | ".join(titles) + " |", "| --- " * len(titles) + "|", sep="\n")
         for size in given.sizes.split(","):
             subprocess.run([sys.executable, __file__, "--folder", str(folder), "--sizes", size], check=True)
 

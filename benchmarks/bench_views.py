@@ -113,7 +113,7 @@ def measure(folder, given):
             if drawn is None:
                 continue
             camera, pose = drawn
-            pixels = spoil(view_of(photo.pixels, base, camera, pose), generator)
+            pixels = spoil(view_of(photo.pixels, base.orientation.best, camera, pose), generator)
             heading = float(wrap_360(line["heading_deg"] + pose.heading_deg - base.orientation.best.pose.heading_deg))
             hints = (
                 Hints(heading=compass_prior(read_compass(heading, generator))) if given.compass == "prior" else Hints()
@@ -166,13 +166,13 @@ def draw_view(base, generator):
             best.pose.pitch_deg + generator.uniform(-0.4, 0.4) * best.camera.vfov_deg,
             float(np.clip(generator.normal(0, ROLL_SIGMA_DEG), -LARGEST_ROLL_DEG, LARGEST_ROLL_DEG)),
         )
-        if _inside(base, camera, pose) and _skyline_share(camera, pose, azimuth, elevation) >= LEAST_SKYLINE:
+        if inside(best, camera, pose) and _skyline_share(camera, pose, azimuth, elevation) >= LEAST_SKYLINE:
             return camera, pose
     return None
 
 
-def _inside(base, camera, pose):
-    best = base.orientation.best
+def inside(best, camera, pose):
+    """Tell whether a view lies inside a photograph of known camera and pose."""
     x = np.array([0, camera.width_px - 1, camera.width_px - 1, 0], float)
     y = np.array([0, 0, camera.height_px - 1, camera.height_px - 1], float)
     x, y = project(best.camera, best.pose, *unproject(camera, pose, x, y))
@@ -185,10 +185,9 @@ def _skyline_share(camera, pose, azimuth_deg, elevation_deg):
     return len(np.unique(x[seen].astype(int) // 10)) * 10 / camera.width_px
 
 
-def view_of(pixels, base, camera, pose):
-    """Resample the photograph to another camera and pose, (H, W, 3) float32."""
+def view_of(pixels, best, camera, pose):
+    """Resample a photograph of known camera and pose, `best`, to another camera and pose, (H, W, 3) float32."""
     height, width = pixels.shape[:2]
-    best = base.orientation.best
     x, y = np.meshgrid(np.arange(camera.width_px, dtype=float), np.arange(camera.height_px, dtype=float))
     x, y = project(best.camera.scaled(width, height), best.pose, *unproject(camera, pose, x.ravel(), y.ravel()))
     shape = camera.height_px, camera.width_px

@@ -32,7 +32,9 @@ def test_a_point_of_the_landscape_keeps_its_direction(bench, base):
     row, column = np.mgrid[0:600, 0:800]
     picture = 255 * np.exp(-0.5 * ((column - x) ** 2 + (row - y) ** 2) / 3**2)
     view_camera, view_pose = Camera(400, 300, 1200.0), Pose(351.0, 5.0, -6.0)
-    view = bench.view_of(np.dstack([picture] * 3).astype(np.uint8), base, view_camera, view_pose)[..., 0]
+    view = bench.view_of(np.dstack([picture] * 3).astype(np.uint8), base.orientation.best, view_camera, view_pose)[
+        ..., 0
+    ]
     rows, columns = np.mgrid[0:300, 0:400]
     centre = (view * columns).sum() / view.sum(), (view * rows).sum() / view.sum()
     assert centre == pytest.approx(tuple(float(v) for v in project(view_camera, view_pose, 352.0, 5.0)), abs=0.2)
@@ -42,7 +44,7 @@ def test_drawn_views_lie_inside_the_photograph_and_show_the_horizon(bench, base)
     generator = np.random.default_rng(3)
     for _ in range(5):
         camera, pose = bench.draw_view(base, generator)
-        assert bench._inside(base, camera, pose)
+        assert bench.inside(base.orientation.best, camera, pose)
         assert camera.hfov_deg < CAMERA.hfov_deg
         assert abs(pose.roll_deg) <= 8
 
