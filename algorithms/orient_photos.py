@@ -33,7 +33,7 @@ from .shared.previews import Previews, preview_specs
 from .shared.reporting import PhotoReport
 from .shared.rescue import add_rescue_parameters
 from .shared.styling import style_on_completion
-from .shared.together import add_joint_parameter
+from .shared.together import add_joint_parameter, help_on_together
 from .shared.workers import add_workers_parameter
 
 SHARE = (0.0, 0.95)
@@ -74,6 +74,7 @@ class OrientPhotos(DemAlgorithm):
                 "and heading_hi enclose the true heading with a probability of 90 %. For an accepted photo "
                 "this holds if its heading is the right one; <b>p_correct</b> is the probability of that."
             ),
+            help_on_together(),
             tr(
                 "Headings count clockwise from true north. A point's geometry is the camera's position. For photos "
                 "that fail, give an approximate heading, a landmark, a drawn skyline or a sky mask (Advanced)."

@@ -37,7 +37,7 @@ from .shared.result_figures import ResultFigures, figures_out, stations_of
 from .shared.skyline_limits import add_own_parameters, with_own
 from .shared.statuses import tell_withheld
 from .shared.styling import style_on_completion
-from .shared.together import BLOCK, add_joint_parameter, are_together
+from .shared.together import BLOCK, add_joint_parameter, are_together, help_on_together
 from .shared.viewer import Viewer
 from .shared.viewshed_extras import Extras, add_extra_parameters, extra_options
 from .shared.viewshed_outputs import ViewshedOutputs
@@ -80,6 +80,7 @@ class PhotoViewshed(DemAlgorithm):
                 "viewshed unless you request it under Advanced. With the <i>paper</i> method, which does not "
                 "test its answers, all photographs get one."
             ),
+            help_on_together(),
             tr("Distances are ground metres and headings count from true north, whatever the coordinate systems."),
         ]
 

@@ -2676,18 +2676,18 @@
         <translation>Obere Grenze der Änderung, 90 % (° je Stunde)</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{count} photos are oriented first to test the compasses of the cameras.</source>
         <translation>Zuerst werden {count} Fotos ausgerichtet, um die Kompasse der Kameras zu prüfen.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Abgebrochen nach {done} von {count} Fotos.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
         <translation>{camera}: Etwa {percent} % der Kompassangaben gelten als wertlos, weil sie den Horizontlinien widersprechen.</translation>
     </message>
@@ -4087,13 +4087,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos could not be solved together, so each keeps its own answer.</source>
-        <translation>Die Fotos konnten nicht gemeinsam gelöst werden; jedes behält sein eigenes Ergebnis.</translation>
+        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
+        <translation>Fotos von nahen Orten oder aus einer Kamera helfen einander; dasselbe Foto kann daher unter anderen ein anderes Ergebnis haben als allein. Schalten Sie &lt;i&gt;Fotos einer Wanderung gemeinsam orientieren&lt;/i&gt; (Erweitert) aus, um jedes für sich zu orientieren.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
         <source>Cancelled while the photos were solved together.</source>
         <translation>Abgebrochen, während die Fotos gemeinsam gelöst wurden.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Die Fotos konnten nicht gemeinsam gelöst werden; jedes behält sein eigenes Ergebnis.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

@@ -2676,18 +2676,18 @@
         <translation>Límite superior del cambio, 90 % (° por hora)</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{count} photos are oriented first to test the compasses of the cameras.</source>
         <translation>Primero se orientan {count} fotos para comprobar las brújulas de las cámaras.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Cancelado tras {done} de {count} fotos.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
         <translation>{camera}: cerca del {percent} % de las indicaciones de la brújula se consideran inútiles, porque contradicen las líneas del horizonte.</translation>
     </message>
@@ -4087,13 +4087,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos could not be solved together, so each keeps its own answer.</source>
-        <translation>Las fotos no se pudieron resolver juntas; cada una conserva su propio resultado.</translation>
+        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
+        <translation>Las fotos de lugares cercanos o de una misma cámara se ayudan unas a otras, así que una foto puede tener otro resultado entre otras que sola. Desactive &lt;i&gt;Orientar juntas las fotos de una caminata&lt;/i&gt; (Avanzado) para orientar cada una por separado.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
         <source>Cancelled while the photos were solved together.</source>
         <translation>Cancelado mientras las fotos se resolvían juntas.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Las fotos no se pudieron resolver juntas; cada una conserva su propio resultado.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

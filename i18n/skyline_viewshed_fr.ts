@@ -2676,18 +2676,18 @@
         <translation>Limite supérieure de la variation, 90 % (° par heure)</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{count} photos are oriented first to test the compasses of the cameras.</source>
         <translation>{count} photos sont d'abord orientées pour vérifier les boussoles des appareils.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <location filename="../algorithms/shared/orientation.py"/>
         <source>Cancelled after {done} of {count} photos.</source>
         <translation>Annulé après {done} photos sur {count}.</translation>
     </message>
     <message>
-        <location filename="../algorithms/shared/compass_trial.py"/>
+        <location filename="../algorithms/shared/compass_sample.py"/>
         <source>{camera}: about {percent} % of the compass readings are treated as worthless, because they contradict the skylines.</source>
         <translation>{camera} : environ {percent} % des indications de la boussole sont tenues pour sans valeur, car elles contredisent les lignes d'horizon.</translation>
     </message>
@@ -4087,13 +4087,18 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>The photos could not be solved together, so each keeps its own answer.</source>
-        <translation>Les photos n'ont pas pu être résolues ensemble ; chacune garde son propre résultat.</translation>
+        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
+        <translation>Les photos prises à des endroits proches ou avec un même appareil s'aident entre elles ; une photo peut donc avoir, parmi d'autres, un autre résultat que seule. Désactivez &lt;i&gt;Orienter ensemble les photos d’une randonnée&lt;/i&gt; (Avancé) pour orienter chacune séparément.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
         <source>Cancelled while the photos were solved together.</source>
         <translation>Annulé pendant que les photos étaient résolues ensemble.</translation>
+    </message>
+    <message>
+        <location filename="../algorithms/shared/together.py"/>
+        <source>The photos could not be solved together, so each keeps its own answer.</source>
+        <translation>Les photos n'ont pas pu être résolues ensemble ; chacune garde son propre résultat.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

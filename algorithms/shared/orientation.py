@@ -13,7 +13,7 @@ from ...core.base.messages import Message
 from ...core.base.progress import checkpoint, subtask
 from ...core.horizon.horizon import HorizonOptions
 from . import parameters as shared
-from .compass_trial import compass_tested
+from .compass_sample import compass_tested
 from .feedback import FeedbackProgress
 from .fields import is_null, joined_fields, number_or_none
 from .i18n import in_users_language, marked, tr

@@ -32,6 +32,15 @@ def add_joint_parameter(algorithm):
     algorithm.addParameter(shared.advanced(shared.explained(parameter, text)))
 
 
+def help_on_together():
+    """Paragraph of the help of an algorithm with this parameter."""
+    return tr(
+        "Photographs from nearby places or of one camera help one another, so the same photograph can get another "
+        "answer among others than alone. Turn off <i>Orient the photos of a walk together</i> (Advanced) to orient "
+        "each by itself."
+    )
+
+
 def are_together(joint, count, method):
     """Whether photographs are solved together; the published method gives no probabilities to do it with."""
     return joint and count > 1 and method != "paper"
