@@ -5,8 +5,8 @@
 
 Each size is a process of its own, which keeps no answer. The DEM is cut into 100 tiles that a VRT joins, and the
 photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own; with `--distinct`
-so many pictures of four regions (scale_photos.py). Prints figures for docs/scale.md; processor times are more reliable
-than wall times on a machine with other work.
+so many pictures of four regions (scale_photos.py), and with `--fine` over DEMs of 30 m. Prints figures for
+docs/scale.md; processor times are more reliable than wall times on a machine with other work.
 
 With `--archive` one run of the last size works as an archive's does: in worker processes, with a result file for each
 chunk, so that it may be stopped at any time, and the same command goes on. `FOLDER/log.csv` gets a line for every
@@ -139,6 +139,7 @@ def main():
     parser.add_argument("--sizes", default="100,200,400")
     parser.add_argument("--pixels", type=int, default=800)
     parser.add_argument("--distinct", type=int, help="pictures that differ, of four regions, most of them views")
+    parser.add_argument("--fine", action="store_true", help="DEMs with cells of about 30 m that reach 100 km")
     parser.add_argument("--data", type=Path, default=DATA)
     parser.add_argument("--archive", type=Path, help="keep all in this folder, and go on with what lies there")
     parser.add_argument("--workers", type=int, default=2, help="with --archive")
@@ -147,7 +148,7 @@ def main():
     if given.archive:
         if not (given.archive / KNOWN).exists():
             given.archive.mkdir(parents=True, exist_ok=True)
-            prepare(given.archive, given.data, given.pixels, given.distinct)
+            prepare(given.archive, given.data, given.pixels, given.distinct, given.fine)
         archive(given.archive, int(given.sizes.split(",")[-1]), given.workers)
         return
     if given.folder:
@@ -155,7 +156,7 @@ def main():
         return
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        prepare(folder, given.data, given.pixels, given.distinct)
+        prepare(folder, given.data, given.pixels, given.distinct, given.fine)
         titles = "photographs", "CPU s", "CPU s each", "memory MB", "wall s", *EACH, "statuses"
         print("| " + " | ".join(titles) + " |", "| --- " * len(titles) + "|", sep="\n")
         for size in given.sizes.split(","):

@@ -30,9 +30,10 @@ TILES = 10
 JITTER_M = 300.0
 SOURCE_PX = 2400
 KNOWN = "photographs.json"
+FINER, MIRRORED_CELLS = 3, 2600
 
 
-def prepare(folder, data, pixels, distinct):
+def prepare(folder, data, pixels, distinct, fine):
     """Write tiles, the VRT that joins them, reduced photographs, and the list of these.
 
     Parameters
@@ -42,10 +43,12 @@ def prepare(folder, data, pixels, distinct):
         Long side of the pictures.
     distinct : int or None
         Number of pictures that differ; None takes the photographs of khumbu-trek.
+    fine : bool
+        Make the cells of the DEMs smaller and mirror them at their edges; see `finer`.
     """
     sets = SETS[:1] if distinct is None else SETS
     side = TILES if distinct is None else round(TILES / np.sqrt(len(sets)))
-    tiles = [tile for name in sets for tile in cut(dem_of(data / name), folder, name, side)]
+    tiles = [tile for name in sets for tile in cut(opened(dem_of(data / name), fine), folder, name, side)]
     gdal.BuildVRT(str(folder / "tiles.vrt"), tiles, resolution="highest", resampleAlg="bilinear").FlushCache()
     known = []
     for name in sets:
@@ -59,9 +62,27 @@ def prepare(folder, data, pixels, distinct):
     (folder / KNOWN).write_text(json.dumps(known, indent=1), encoding="utf-8")
 
 
-def cut(source, folder, name, side):
-    """Cut a DEM into side x side compressed tiles and return their paths."""
+def opened(source, fine):
+    """Open a DEM, or make a finer one of it."""
     dataset = gdal.Open(str(source))
+    return finer(dataset) if fine else dataset
+
+
+def finer(dataset):
+    """Make a DEM of a third of the cell size that reaches 100 km, as one of 1 arc-second does, by mirroring it."""
+    shares = {"widthPct": 100 * FINER, "heightPct": 100 * FINER, "resampleAlg": "cubic"}
+    small = gdal.Translate("", dataset, format="MEM", **shares)
+    heights = np.pad(np.round(small.ReadAsArray(), 1), MIRRORED_CELLS, mode="symmetric")
+    west, width, _, north, _, height = small.GetGeoTransform()
+    made = gdal.GetDriverByName("MEM").Create("", *heights.shape[::-1], 1, gdal.GDT_Float32)
+    made.SetGeoTransform([west - MIRRORED_CELLS * width, width, 0, north - MIRRORED_CELLS * height, 0, height])
+    made.SetProjection(small.GetProjection())
+    made.GetRasterBand(1).WriteArray(heights)
+    return made
+
+
+def cut(dataset, folder, name, side):
+    """Cut a DEM into side x side compressed tiles and return their paths."""
     rows, cols = (np.linspace(0, size, side + 1).astype(int) for size in (dataset.RasterYSize, dataset.RasterXSize))
     tiles = []
     for row, (top, bottom) in enumerate(zip(rows[:-1].tolist(), rows[1:].tolist())):
