@@ -1,16 +1,17 @@
 """Is a run linear in photographs and flat in memory? The same photographs at jittered places over a DEM of tiles.
 
-    python benchmarks/bench_scale.py [--sizes 100,200,400] [--distinct 300] [--pixels 800] [--data ../shared/data]
-    python benchmarks/bench_scale.py --archive FOLDER [--sizes 10000] [--distinct 300] [--workers 2]
+    python benchmarks/bench_scale.py [--sizes 100,200,400] [--distinct 300] [--fine] [--pixels 800] [--data DATA]
+    python benchmarks/bench_scale.py --archive FOLDER [--sizes 10000] [--distinct 300] [--fine] [--workers 2]
 
 Each size is a process of its own, which keeps no answer. The DEM is cut into 100 tiles that a VRT joins, and the
-photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own; with `--distinct`
-so many pictures of four regions (scale_photos.py), and with `--fine` over DEMs of 30 m. Prints figures for
+photographs of khumbu-trek are reduced and repeated, each time at a place up to 300 m from its own; with `--distinct
+N`, N different pictures of four regions (scale_photos.py), and with `--fine` over DEMs of 30 m. Prints figures for
 docs/scale.md; processor times are more reliable than wall times on a machine with other work.
 
 With `--archive` one run of the last size works as an archive's does: in worker processes, with a result file for each
 chunk, so that it may be stopped at any time, and the same command goes on. `FOLDER/log.csv` gets a line for every
-hundred photographs, and the points are joined to `FOLDER/points.gpkg` at the end. Linux only (it reads /proc).
+hundred photographs, and the points are joined to `FOLDER/points.gpkg` at the end. A folder that holds photographs
+already keeps them, whatever `--distinct`, `--fine` and `--pixels` say. Linux only (it reads /proc).
 """
 
 from __future__ import annotations

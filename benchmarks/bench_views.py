@@ -102,9 +102,10 @@ def measure(folder, given):
             continue
         observer = Observer(base.longitude_deg, base.latitude_deg)
         photo = read_photo(str(Path(folder) / "photos" / line["photo"]), SOURCE_PX)
-        horizon = cache.profile(dem, observer, options.horizon)
-        inner = cache.inner(dem, observer, options.inner)
-        eyes = other_eyes(dem, observer, horizon, photo.metadata.altitude_m, options, cache)
+        with cache.station():
+            horizon = cache.profile(dem, observer, options.horizon)
+            inner = cache.inner(dem, observer, options.inner)
+            eyes = other_eyes(dem, observer, horizon, photo.metadata.altitude_m, options, cache)
         views = []
         for number in range(given.count):
             # Each view has its own generator, so that a change of the base pose by hundredths of a degree affects few.

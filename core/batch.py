@@ -147,11 +147,12 @@ def _orient(request, photo, dem, options, cache, progress):
     hints = _hints(request, metadata, dem, observer, believed)
     if hints.heading is None:
         hints = replace(hints, recorded_heading_deg=compass)
-    horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
     inner, eyes = None, ()
-    if not paper:
-        inner = cache.inner(dem, observer, options.inner)
-        eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, cache)
+    with cache.station():
+        horizon = cache.profile(dem, observer, options.horizon_of_method, subtask(progress, 0.1, 0.4))
+        if not paper:
+            inner = cache.inner(dem, observer, options.inner)
+            eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, cache)
     setting = Setting(observer, prior, hints, horizon, inner, error, eyes)
     oriented = orient_photo(photo, dem, setting, options, subtask(progress, 0.4, 1.0))
     notes = metadata.notes + eye_notes(request, metadata, oriented) + oriented.orientation.notes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from contextlib import contextmanager
 from dataclasses import replace
 
 from .base.progress import SILENT
@@ -36,21 +37,32 @@ def cast_horizon(terrain, observer, options, progress=SILENT):
 
 
 class HorizonCache:
-    """Cache of the last horizons and the terrain below them, for photographs taken from one station.
+    """Cache of the last horizons, and of the `InnerTerrain` below each, for photographs from one station.
 
-    The terrain around the last station is cached too, because reading it takes most of the time with fine DEMs.
+    A cache is for one thread.
 
     Parameters
     ----------
     size : int
-        Number of eyes kept; each takes about 4 MB. A station has up to five, at several elevations. The terrain
-        around a station takes up to 100 MB.
+        Number of eyes kept; each takes about 4 MB. A station has up to five, at several elevations.
     """
 
     def __init__(self, size=16):
         self.size = size
         self._kept = OrderedDict()
-        self._place, self._around = None, {}
+        self._terrain = None
+
+    @contextmanager
+    def station(self):
+        """Keep the terrain around one place within the block, so that it is read once for all eyes there.
+
+        It takes up to 64 MB for cells, a sixth of a byte for each cell within range, and 20 MB for samples.
+        """
+        self._terrain = {}
+        try:
+            yield
+        finally:
+            self._terrain = None
 
     def profile(self, dem, observer, options, progress=SILENT):
         """Return the observer's `HorizonProfile`, computed only if it is not cached.
@@ -62,7 +74,8 @@ class HorizonCache:
         options : HorizonOptions or PaperHorizonOptions
         progress : Progress
         """
-        return self._look_up(self._horizon, dem, observer, options, progress)
+        compute = cast_horizon if isinstance(options, PaperHorizonOptions) else self._horizon
+        return self._look_up(compute, dem, observer, options, progress)
 
     def inner(self, dem, observer, options, progress=SILENT):
         """Return the `InnerTerrain` below the observer's horizon in the same way.
@@ -86,27 +99,21 @@ class HorizonCache:
         return self._kept[key]
 
     def _horizon(self, dem, observer, options, progress):
-        if isinstance(options, PaperHorizonOptions):
-            return cast_horizon(dem, observer, options, progress)
-        position = observer.longitude_deg, observer.latitude_deg
-        around = self._at_station(dem, position, options, lambda: Surroundings(dem, position[0], position[1], options))
-        return horizon_from(around, observer, options, progress)
+        around = self._at_station(Surroundings, dem, observer, options)
+        return horizon_from(around, eye_elevation_m(dem, around.frame, observer), progress)
 
     def _inner(self, dem, observer, options, progress):
-        rays = options.rays
-        position = observer.longitude_deg, observer.latitude_deg
-        frame = dem.frame(position[0], position[1], rays.max_distance_m)
-        eye_m = eye_elevation_m(dem, frame, observer)
-        samples = self._at_station(dem, position, rays, lambda: ground_samples(dem, frame, rays, progress))
-        return inner_from(samples.seen_from(eye_m), options)
+        samples = self._at_station(ground_samples, dem, observer, options.rays, progress)
+        return inner_from(samples.seen_from(eye_elevation_m(dem, samples.frame, observer)), options)
 
-    def _at_station(self, dem, position, options, compute):
-        """Return what `compute` gives for a position, from the cache if it is the last station's."""
-        if self._place != (dem, position):
-            self._place, self._around = (dem, position), {}
-        if options not in self._around:
-            self._around[options] = compute()
-        return self._around[options]
+    def _at_station(self, compute, dem, observer, options, *progress):
+        """Return what `compute` gives for the observer's position, kept within a block of `station`."""
+        position = observer.longitude_deg, observer.latitude_deg
+        terrain = {} if self._terrain is None else self._terrain
+        key = dem, position, options
+        if key not in terrain:
+            terrain[key] = compute(dem, *position, options, *progress)
+        return terrain[key]
 
 
 def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
@@ -122,6 +129,7 @@ def other_eyes(terrain, observer, horizon, altitude_m, options, cache):
         As the photograph records it [m].
     options : OrientOptions
     cache : HorizonCache
+        Within a block of `station` that includes `horizon`, the terrain is read once.
 
     Returns
     -------

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import replace
 
 import numpy as np
 
 from .base.blas import one_blas_thread
 from .base.errors import MissingMetadataError, ObserverError, PhotoError
 from .base.progress import SILENT, checkpoint, subtask
-from .base.terrain import Observer
+from .base.terrain import Observer, eye_elevation_m
 from .batch import PREVIEW_PX
 from .horizon.horizon import HorizonOptions, horizon_from
 from .horizon.surroundings import Surroundings
@@ -139,13 +138,13 @@ class SkylineFit:
     def _computed(self, place, kind):
         observer = Observer(place.longitude_deg, place.latitude_deg, self.eye_height_m)
         around = Surroundings(self.dem, place.longitude_deg, place.latitude_deg, CLOCK_HORIZON)
-        assumed = horizon_from(around, observer, CLOCK_HORIZON)
+        assumed = horizon_from(around, eye_elevation_m(self.dem, around.frame, observer))
         if kind == COARSE:
             return (assumed,)
         eye_m = assumed.eye_elevation_m
         recorded = None if place.elevation_m is None else place.elevation_m - eye_m
-        others = [replace(observer, eye_elevation_m=eye_m + up) for up, _ in eye_offsets_m(assumed.cell_m, recorded)]
-        return (assumed, *(horizon_from(around, other, CLOCK_HORIZON) for other in others))
+        offsets = eye_offsets_m(assumed.cell_m, recorded)
+        return (assumed, *(horizon_from(around, eye_m + up) for up, _ in offsets))
 
 
 # parameters: the photographs and what is known of them, which callers have as lists

@@ -4087,8 +4087,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
-        <translation>Fotos von nahen Orten oder aus einer Kamera helfen einander; dasselbe Foto kann daher unter anderen ein anderes Ergebnis haben als allein. Schalten Sie &lt;i&gt;Fotos einer Wanderung gemeinsam orientieren&lt;/i&gt; (Erweitert) aus, um jedes für sich zu orientieren.</translation>
+        <source>Photographs taken near one another or with one camera help one another, so a photograph may get a different answer in a group than alone. To orient each one by itself, turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced).</source>
+        <translation>Fotos von nahen Orten oder aus einer Kamera helfen einander; ein Foto kann daher in einer Gruppe ein anderes Ergebnis haben als allein. Um jedes für sich zu orientieren, schalten Sie &lt;i&gt;Fotos einer Wanderung gemeinsam orientieren&lt;/i&gt; (Erweitert) aus.</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

@@ -4087,8 +4087,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
-        <translation>Las fotos de lugares cercanos o de una misma cámara se ayudan unas a otras, así que una foto puede tener otro resultado entre otras que sola. Desactive &lt;i&gt;Orientar juntas las fotos de una caminata&lt;/i&gt; (Avanzado) para orientar cada una por separado.</translation>
+        <source>Photographs taken near one another or with one camera help one another, so a photograph may get a different answer in a group than alone. To orient each one by itself, turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced).</source>
+        <translation>Las fotos tomadas cerca unas de otras o con una misma cámara se ayudan entre sí, así que una foto puede tener en un grupo otro resultado que sola. Para orientar cada una por separado, desactive &lt;i&gt;Orientar juntas las fotos de una caminata&lt;/i&gt; (Avanzado).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

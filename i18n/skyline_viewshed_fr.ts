@@ -4087,8 +4087,8 @@
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>
-        <source>Photographs from nearby places or of one camera help one another, so the same photograph can get another answer among others than alone. Turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced) to orient each by itself.</source>
-        <translation>Les photos prises à des endroits proches ou avec un même appareil s'aident entre elles ; une photo peut donc avoir, parmi d'autres, un autre résultat que seule. Désactivez &lt;i&gt;Orienter ensemble les photos d’une randonnée&lt;/i&gt; (Avancé) pour orienter chacune séparément.</translation>
+        <source>Photographs taken near one another or with one camera help one another, so a photograph may get a different answer in a group than alone. To orient each one by itself, turn off &lt;i&gt;Orient the photos of a walk together&lt;/i&gt; (Advanced).</source>
+        <translation>Les photos prises à des endroits proches ou avec un même appareil s'aident entre elles ; une photo peut donc avoir dans un groupe un autre résultat que seule. Pour orienter chacune séparément, désactivez &lt;i&gt;Orienter ensemble les photos d’une randonnée&lt;/i&gt; (Avancé).</translation>
     </message>
     <message>
         <location filename="../algorithms/shared/together.py"/>

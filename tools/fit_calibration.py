@@ -79,8 +79,6 @@ def solve(path, dem):
     from skyline_viewshed.core.base.terrain import Observer
     from skyline_viewshed.core.base.uncertainty import TYPICAL_POSITION_ERROR_M
     from skyline_viewshed.core.eyes import HorizonCache, other_eyes
-    from skyline_viewshed.core.horizon.horizon import horizon_profile
-    from skyline_viewshed.core.horizon.inner import inner_terrain
     from skyline_viewshed.core.io.photo import read_photo
     from skyline_viewshed.core.match.inputs import MatchInputs
     from skyline_viewshed.core.match.prior import camera_prior
@@ -94,9 +92,11 @@ def solve(path, dem):
     observer = Observer(metadata.longitude_deg, metadata.latitude_deg)
     try:
         evidence = skyline_evidence(photo.pixels, options.skyline, metadata.width_px, metadata.height_px)
-        horizon = horizon_profile(dem, observer, options.horizon)
-        inner = inner_terrain(dem, observer, options.inner)
-        eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, HorizonCache())
+        cache = HorizonCache()
+        with cache.station():
+            horizon = cache.profile(dem, observer, options.horizon)
+            inner = cache.inner(dem, observer, options.inner)
+            eyes = other_eyes(dem, observer, horizon, metadata.altitude_m, options, cache)
     except PhotoError:
         return None
     position = metadata.position_error_m or TYPICAL_POSITION_ERROR_M

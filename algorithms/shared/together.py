@@ -33,11 +33,11 @@ def add_joint_parameter(algorithm):
 
 
 def help_on_together():
-    """Paragraph of the help of an algorithm with this parameter."""
+    """Paragraph of the help of an algorithm with `JOINT`."""
     return tr(
-        "Photographs from nearby places or of one camera help one another, so the same photograph can get another "
-        "answer among others than alone. Turn off <i>Orient the photos of a walk together</i> (Advanced) to orient "
-        "each by itself."
+        "Photographs taken near one another or with one camera help one another, so a photograph may get a different "
+        "answer in a group than alone. To orient each one by itself, turn off <i>Orient the photos of a walk "
+        "together</i> (Advanced)."
     )
 
 

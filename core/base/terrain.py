@@ -223,6 +223,13 @@ def bilinear(elevation_m: np.ndarray, row_px: ArrayLike, col_px: ArrayLike) -> n
     return np.where(outside, np.nan, total)
 
 
+def check_inside(terrain: Terrain, frame: LocalFrame) -> None:
+    """Raise `ObserverOutsideDemError` if the frame's observer is not on the raster."""
+    rows, cols = terrain.shape
+    if not (-0.5 <= frame.row_px <= rows - 0.5 and -0.5 <= frame.col_px <= cols - 0.5):
+        raise ObserverOutsideDemError(frame.longitude_deg, frame.latitude_deg)
+
+
 def ground_elevation_m(terrain: Terrain, frame: LocalFrame) -> float:
     """Give the elevation of the terrain at the frame's observer [m].
 
@@ -230,10 +237,8 @@ def ground_elevation_m(terrain: Terrain, frame: LocalFrame) -> float:
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
     """
-    rows, cols = terrain.shape
+    check_inside(terrain, frame)
     position = frame.longitude_deg, frame.latitude_deg
-    if not (-0.5 <= frame.row_px <= rows - 0.5 and -0.5 <= frame.col_px <= cols - 0.5):
-        raise ObserverOutsideDemError(*position)
     window = Window(int(np.floor(frame.row_px)), int(np.floor(frame.col_px)), 2, 2).clipped(terrain.shape)
     patch = terrain.read(window)
     elevation = float(bilinear(patch, frame.row_px - window.row, frame.col_px - window.col))

@@ -12,8 +12,9 @@ from functools import cached_property
 import numpy as np
 
 from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
+from ..base.frame import LocalFrame
 from ..base.progress import SILENT, checkpoint
-from ..base.terrain import Window, bilinear, eye_elevation_m
+from ..base.terrain import Window, bilinear, check_inside, eye_elevation_m
 
 
 @dataclass(frozen=True)
@@ -51,20 +52,23 @@ class RayOptions:
 
 @dataclass(frozen=True, eq=False)
 class GroundSamples:
-    """Terrain along rays around one place, whatever the elevation of the eye.
+    """Terrain along rays around one place, independent of the elevation of the eye.
 
     Attributes
     ----------
+    frame : LocalFrame
+        Frame around the place.
     azimuth_deg : (A,) array
         Regular over the circle, clockwise from true north [degrees].
     distance_m : (D,) array
-        Increasing [m]; empty if the terrain reaches fewer than three samples far.
+        Increasing [m]; empty if fewer than three samples fit into the range.
     elevation_m : (A, D) array
         Elevations [m]; NaN outside the DEM and in voids.
     drop_m : (D,) array
         Apparent drop by curvature and refraction [m].
     """
 
+    frame: LocalFrame
     azimuth_deg: np.ndarray
     distance_m: np.ndarray
     elevation_m: np.ndarray
@@ -136,36 +140,45 @@ def cast_ground_rays(terrain, observer, options=RayOptions(), progress=SILENT): 
     ------
     ObserverOutsideDemError, NoElevationAtObserverError
     """
-    frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, options.max_distance_m)
-    eye_m = eye_elevation_m(terrain, frame, observer)
-    return ground_samples(terrain, frame, options, progress).seen_from(eye_m)
+    samples = ground_samples(terrain, observer.longitude_deg, observer.latitude_deg, options, progress)
+    return samples.seen_from(eye_elevation_m(terrain, samples.frame, observer))
 
 
-def ground_samples(terrain, frame, options=RayOptions(), progress=SILENT):  # noqa: B008 - frozen
+# parameters: a position, and how to sample around it
+def ground_samples(
+    terrain, longitude_deg, latitude_deg, options=RayOptions(), progress=SILENT  # noqa: B008 - frozen
+):  # fmt: skip
     """Sample the terrain all around a place.
 
     Parameters
     ----------
     terrain : Terrain
-    frame : LocalFrame
-        Frame around the place, to the distance at which the rays end.
+    longitude_deg, latitude_deg : float
+        WGS 84 position [degrees].
     options : RayOptions
     progress : Progress
 
     Returns
     -------
     GroundSamples
+
+    Raises
+    ------
+    ObserverOutsideDemError
     """
+    frame = terrain.frame(longitude_deg, latitude_deg, options.max_distance_m)
+    check_inside(terrain, frame)
     reach = min(options.max_distance_m, options.max_cells * min(frame.cell_size_m))
     distance = _distances(frame.cell_m, reach, options)
     azimuth = np.arange(0, 360, options.azimuth_step_deg)
     if len(distance) < 3:
-        return GroundSamples(azimuth, np.zeros(0), np.zeros((len(azimuth), 0)), np.zeros(0))
+        return GroundSamples(frame, azimuth, np.zeros(0), np.zeros((len(azimuth), 0)), np.zeros(0))
     checkpoint(progress, 0.0)
     turn = np.radians(azimuth)[:, None]
     elevation = _sample(terrain, *frame.to_pixel(distance * np.sin(turn), distance * np.cos(turn)))
     checkpoint(progress, 0.9)
-    return GroundSamples(azimuth, distance, elevation, apparent_drop_m(distance, options.refraction_coefficient))
+    drop = apparent_drop_m(distance, options.refraction_coefficient)
+    return GroundSamples(frame, azimuth, distance, elevation, drop)
 
 
 def _distances(cell_m, reach_m, options):

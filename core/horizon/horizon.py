@@ -105,30 +105,24 @@ def horizon_profile(terrain, observer, options=DEFAULT, progress=SILENT):
     ObserverOutsideDemError, NoElevationAtObserverError
     """
     around = Surroundings(terrain, observer.longitude_deg, observer.latitude_deg, options)
-    return horizon_from(around, observer, options, progress)
+    return horizon_from(around, eye_elevation_m(terrain, around.frame, observer), progress)
 
 
-def horizon_from(around, observer, options, progress=SILENT):
+def horizon_from(around, eye_m, progress=SILENT):
     """Find the horizon from one of the eyes at a place; see `horizon_profile`.
 
     Parameters
     ----------
     around : Surroundings
-        Of the observer's position, made with the same options.
-    observer : Observer
-    options : HorizonOptions
+    eye_m : float
+        Elevation of the eye in the DEM's height system [m].
     progress : Progress
 
     Returns
     -------
     HorizonProfile
-
-    Raises
-    ------
-    NoElevationAtObserverError
     """
-    cell_m = around.frame.cell_m
-    eye_m = eye_elevation_m(around.terrain, around.frame, observer)
+    cell_m, options = around.frame.cell_m, around.options
     sight = EyeRays(around.rays, around.edge_m, eye_m, options.drop_per_m2, options.lines_per_cell, cell_m)
     if len(around.edge_m) < 2:
         return _profile(sight, options, -np.inf, nothing_found(around.rays))

@@ -10,9 +10,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..base.errors import ObserverOutsideDemError
 from ..base.progress import SILENT
-from ..base.terrain import Window
+from ..base.terrain import Window, check_inside
 from .blocks import STRIP_ROWS, HeldTerrain, aligned, block_maxima
 from .rays import lay_rays
 
@@ -37,7 +36,7 @@ class Surroundings:
 
     Attributes
     ----------
-    terrain : Terrain
+    terrain, options
         As given.
     frame : LocalFrame
         Frame around the position.
@@ -50,27 +49,25 @@ class Surroundings:
     def __init__(self, terrain, longitude_deg, latitude_deg, options):
         self.terrain = terrain
         self.frame = terrain.frame(longitude_deg, latitude_deg, options.max_distance_m)
-        rows, cols = terrain.shape
-        if not (-0.5 <= self.frame.row_px <= rows - 0.5 and -0.5 <= self.frame.col_px <= cols - 0.5):
-            raise ObserverOutsideDemError(longitude_deg, latitude_deg)
-        self._azimuth_deg, self._max_distance_m = options.azimuth_deg, options.max_distance_m
-        self._near_m, self._memory_mb = options.near_skip_cells * self.frame.cell_m, options.memory_mb
+        check_inside(terrain, self.frame)
+        self.options = options
         self._blocks = None
 
     @cached_property
     def rays(self):
         """`Rays` to the end of the search range, or to the DEM's edge."""
-        return lay_rays(self.frame, self.terrain.shape, self._azimuth_deg, self._max_distance_m)
+        options = self.options
+        return lay_rays(self.frame, self.terrain.shape, options.azimuth_deg, options.max_distance_m)
 
     @property
     def edge_m(self):
-        """(N + 1,) distances that divide each ray into intervals [m]; one if the DEM ends before the first."""
+        """(N + 1,) distances that divide each ray into intervals [m]; a single one if the DEM ends before."""
         return self._intervals[0]
 
     @cached_property
     def cells(self):
         """`HeldTerrain`, which keeps the cells nearest the position."""
-        return HeldTerrain(self.terrain, self._window, self.frame.row_px, self._memory_mb)
+        return HeldTerrain(self.terrain, self._window, self.frame.row_px, self.options.memory_mb)
 
     def blocks(self, progress=SILENT):
         """Return the `BlockMaxima` of all cells within reach, for which the terrain is read the first time."""
@@ -85,7 +82,7 @@ class Surroundings:
 
     @cached_property
     def _intervals(self):
-        return _intervals(self.rays, self._near_m)
+        return _intervals(self.rays, self.options.near_skip_cells * self.frame.cell_m)
 
     @cached_property
     def _window(self):

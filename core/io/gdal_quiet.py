@@ -101,8 +101,10 @@ def _setting(name, value):
         gdal.SetThreadLocalConfigOption(name, before)
 
 
-def row_of_blocks(dataset, band, cols):
+def bytes_of_block_row(dataset, band, cols):
     """Return the size in GDAL's cache of one row of blocks across a window [bytes].
+
+    Of a mosaic, whose tiles may have larger blocks than it tells, it is the most that `small_cache` takes.
 
     Parameters
     ----------
@@ -117,18 +119,18 @@ def row_of_blocks(dataset, band, cols):
 
 
 @contextmanager
-def small_cache(row_of_blocks=CACHE_BYTES[1]):
+def small_cache(block_row=CACHE_BYTES[1]):
     """Limit GDAL's block cache within the block, and restore the host's setting afterwards.
 
     Parameters
     ----------
-    row_of_blocks : int
+    block_row : int
         Size of the blocks that must stay cached from one strip to the next, so that they are not decoded twice
         [bytes].
     """
     gdal = available("osgeo.gdal")
     before, (least, most) = gdal.GetCacheMax(), CACHE_BYTES
-    size = min(max(row_of_blocks + least // 2, least), most)
+    size = min(max(block_row + least // 2, least), most)
     if before > size:
         gdal.SetCacheMax(size)
     try:

@@ -17,7 +17,7 @@ from .crs import WGS84, Transformer, area_around, from_wgs84, local_plane, spati
 from .dem_inspection import STRIP_BYTES, check_colours, inspect, windows
 from .dem_reading import DemReading, in_ranges
 from .file_state import dataset_state
-from .gdal_quiet import direct_reading, open_quietly, quiet_gdal, row_of_blocks, small_cache, split_options
+from .gdal_quiet import bytes_of_block_row, direct_reading, open_quietly, quiet_gdal, small_cache, split_options
 from .georeference import check_band, crs_of, geotransform_of
 from .height_unit import metres_per_unit
 
@@ -166,7 +166,7 @@ class Dem(Terrain):
         if window.clipped(self.shape) != window:
             raise ValueError(f"{window} reaches beyond the raster's {self.shape} cells")
         strip_rows = max(STRIP_BYTES // (4 * max(window.cols, 1)), 1)
-        with small_cache(row_of_blocks(self._dataset, self._band, window.cols)):
+        with small_cache(bytes_of_block_row(self._dataset, self._band, window.cols)):
             for start in range(0, window.rows if window.cols else 0, strip_rows):
                 strip = out[start : start + strip_rows]
                 self._read_strip(window.col, window.row + start, strip)

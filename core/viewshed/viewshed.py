@@ -13,9 +13,8 @@ from threading import Lock
 import numpy as np
 
 from ..base.curvature import REFRACTION_COEFFICIENT, apparent_drop_m
-from ..base.errors import ObserverOutsideDemError
 from ..base.progress import SILENT
-from ..base.terrain import Window, eye_elevation_m
+from ..base.terrain import Window, check_inside, eye_elevation_m
 from ..base.threads import side_by_side
 from ..base.viewed import VISIBLE, ArraySink, Viewshed
 from .geometry import quarters, tabulated
@@ -112,9 +111,7 @@ def viewshed(terrain, observer, sector=FullCircle(), options=ViewshedOptions(), 
     """
     np.empty(KEPT_BYTES, np.uint8)  # freed at once
     frame = terrain.frame(observer.longitude_deg, observer.latitude_deg, FRAME_MARGIN * options.max_distance_m)
-    rows, cols = terrain.shape
-    if not (-0.5 <= frame.row_px <= rows - 0.5 and -0.5 <= frame.col_px <= cols - 0.5):
-        raise ObserverOutsideDemError(observer.longitude_deg, observer.latitude_deg)
+    check_inside(terrain, frame)
     eye_m = eye_elevation_m(terrain, frame, observer)
     window = sector_window(frame, terrain.shape, sector, options.max_distance_m)
     taken = sink(window)

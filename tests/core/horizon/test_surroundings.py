@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from reference.landscapes import fractal, stand
 from skyline_viewshed.core.base.errors import ObserverOutsideDemError
+from skyline_viewshed.core.base.terrain import eye_elevation_m
 from skyline_viewshed.core.horizon import surroundings
 from skyline_viewshed.core.horizon.horizon import HorizonOptions, horizon_from, horizon_profile
 from skyline_viewshed.core.horizon.surroundings import Surroundings
@@ -44,7 +45,7 @@ def test_larger_blocks_bound_the_memory_and_change_no_horizon(hills, monkeypatch
     monkeypatch.setattr(surroundings, "MAX_PAIRS", 2_000)
     coarse = around(terrain, observer)
     assert coarse.blocks().block > surroundings.BLOCK
-    profile = horizon_from(coarse, observer, OPTIONS)
+    profile = horizon_from(coarse, eye_elevation_m(terrain, coarse.frame, observer))
     assert profile.elevation_deg == pytest.approx(fine.elevation_deg, abs=1e-4)
 
 
